@@ -1,0 +1,12 @@
+// Builds the whole site, registry included, into out/: a folder of static files that any host can serve.
+import { buildRegistry } from './registry.mjs'
+import { isMain, must } from './run.mjs'
+
+export async function build() {
+  await must('node', ['scripts/assemble.mjs'])
+  await must('contentlayer2', ['build'])
+  await buildRegistry()
+  await must('next', ['build'])
+}
+
+if (isMain(import.meta.url)) await build()

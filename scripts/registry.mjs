@@ -1,0 +1,55 @@
+// Builds the registry into public/r from registry.json and the files it names.
+//   node scripts/registry.mjs           writes public/r
+//   node scripts/registry.mjs --check   fails when public/r isn't what a fresh build gives
+import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { siteUrl, version } from '../site.config.mjs'
+import { isMain, must, root } from './run.mjs'
+
+const served = join(root, 'public/r')
+
+/** registry.json as it is committed, with the address of this build and the package's version. */
+async function source() {
+  const registry = JSON.parse(await readFile(join(root, 'registry.json'), 'utf8'))
+  const text = JSON.stringify(registry).replaceAll(registry.homepage, siteUrl)
+  const { items, ...rest } = JSON.parse(text)
+  return { ...rest, items: items.map((item) => ({ ...item, meta: { ...item.meta, version } })) }
+}
+
+export async function buildRegistry(output = served) {
+  const folder = await mkdtemp(join(tmpdir(), 'registry-'))
+  const file = join(folder, 'registry.json')
+  await writeFile(file, JSON.stringify(await source()))
+  await rm(output, { recursive: true, force: true })
+  await must('shadcn', ['build', file, '--cwd', root, '--output', output])
+  await rm(folder, { recursive: true })
+}
+
+const readAll = async (folder) => {
+  const names = (await readdir(folder).catch(() => [])).sort()
+  return new Map(
+    await Promise.all(names.map(async (name) => [name, await readFile(join(folder, name), 'utf8')])),
+  )
+}
+
+/** The names of served files that a fresh build would change, add or drop. */
+export async function staleFiles() {
+  const fresh = await mkdtemp(join(tmpdir(), 'registry-'))
+  await buildRegistry(fresh)
+  const [now, then] = [await readAll(fresh), await readAll(served)]
+  await rm(fresh, { recursive: true })
+  return [...new Set([...now.keys(), ...then.keys()])].filter((name) => now.get(name) !== then.get(name))
+}
+
+if (isMain(import.meta.url)) {
+  if (process.argv.includes('--check')) {
+    const stale = await staleFiles()
+    if (stale.length > 0) {
+      console.error(`Out of date in public/r: ${stale.join(', ')}. Run: npm run registry`)
+      process.exit(1)
+    }
+  } else {
+    await buildRegistry()
+  }
+}

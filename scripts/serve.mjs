@@ -1,0 +1,55 @@
+// Serves out/ as a static host would: clean URLs, compression, and the headers of public/_headers.
+import { existsSync, readFileSync } from 'node:fs'
+import { createServer } from 'node:http'
+import { join } from 'node:path'
+import compression from 'compression'
+import sirv from 'sirv'
+import { siteUrl } from '../site.config.mjs'
+import { isMain, root } from './run.mjs'
+
+const out = join(root, 'out')
+
+/** The rules of a _headers file: a path, a star at its end for all below it, then indented headers. */
+function headerRules() {
+  const rules = []
+  for (const line of readFileSync(join(out, '_headers'), 'utf8').split('\n')) {
+    if (/^\//.test(line)) rules.push({ path: line.trim(), headers: [] })
+    else if (/^\s+\S/.test(line)) rules.at(-1).headers.push(line.trim().split(/:\s*(.*)/, 2))
+  }
+  return rules.map(({ path, headers }) => ({
+    headers,
+    matches: (url) => (path.endsWith('*') ? url.startsWith(path.slice(0, -1)) : url === path),
+  }))
+}
+
+export function serve(port) {
+  if (!existsSync(out)) throw new Error('There is no out/ to serve yet. Run: npm run build')
+  const rules = headerRules()
+  const compress = compression()
+  const files = sirv(out, {
+    extensions: ['html'],
+    etag: true,
+    setHeaders(response, url) {
+      const type = response.getHeader('Content-Type')
+      if (/^text\/\w+$/.test(type)) response.setHeader('Content-Type', `${type};charset=utf-8`)
+      for (const rule of rules) {
+        if (rule.matches(url)) for (const [name, value] of rule.headers) response.setHeader(name, value)
+      }
+    },
+  })
+  const notFound = (response) => {
+    response.writeHead(404, { 'Content-Type': 'text/html;charset=utf-8' })
+    response.end(readFileSync(join(out, '404.html')))
+  }
+  const server = createServer((request, response) => {
+    compress(request, response, () => files(request, response, () => notFound(response)))
+  })
+  return new Promise((resolve, reject) => server.once('error', reject).listen(port, () => resolve(server)))
+}
+
+if (isMain(import.meta.url)) {
+  const port = Number(process.env.PORT || new URL(siteUrl).port || 3000)
+  await serve(port)
+  console.log(`Site:     http://localhost:${port}`)
+  console.log(`Registry: http://localhost:${port}/r/gravity-stack.json`)
+}

@@ -1,0 +1,94 @@
+// Runs every check and test there is, on a machine that has nothing but Node, and goes on after a failure.
+// The last line counts them: each test of Vitest and Playwright is one, and each check is one.
+import { mkdtemp, readFile } from 'node:fs/promises'
+import { tmpdir } from 'node:os'
+import { join } from 'node:path'
+import { ready } from './ready.mjs'
+import { run } from './run.mjs'
+
+// What is committed was built for the usual address.
+delete process.env.SITE_URL
+
+const reports = await mkdtemp(join(tmpdir(), 'gravity-stack-'))
+const totals = { passed: 0, failed: 0 }
+const failures = []
+
+/** Runs one step, which gives how many passed and failed, and prints what it was and how long it took. */
+async function step(name, work) {
+  console.log(`\n▸ ${name}`)
+  const begin = performance.now()
+  let result
+  try {
+    result = await work()
+  } catch (error) {
+    console.error(error)
+    result = { passed: 0, failed: 1 }
+  }
+  totals.passed += result.passed
+  totals.failed += result.failed
+  if (result.failed > 0) failures.push(`${name}: ${result.failed} failed`)
+  const seconds = ((performance.now() - begin) / 1000).toFixed(1)
+  console.log(`${result.failed > 0 ? '✗' : '✓'} ${name} (${seconds} s)`)
+}
+
+const verdict = (code) => ({ passed: code === 0 ? 1 : 0, failed: code === 0 ? 0 : 1 })
+
+/** A check made of commands: one pass when all of them end well, one failure at the first that doesn't. */
+const check = (name, ...commands) =>
+  step(name, async () => {
+    for (const [command, ...args] of commands) {
+      const code = await run(command, args)
+      if (code !== 0) return verdict(code)
+    }
+    return verdict(0)
+  })
+
+/** A test runner with a JSON report. A run that fails without a failed test, or runs none, is one failure. */
+const tests = (name, command, args, report, count, env) =>
+  step(name, async () => {
+    const code = await run(command, args, { env })
+    const text = await readFile(report, 'utf8').catch(() => undefined)
+    const { passed, failed } = text ? count(JSON.parse(text)) : { passed: 0, failed: 0 }
+    const endedBadly = failed === 0 && (code !== 0 || passed === 0)
+    return { passed, failed: endedBadly ? 1 : failed }
+  })
+
+await step('Dependencies are installed', async () => {
+  await ready()
+  return verdict(0)
+})
+await step('A browser is here', async () => {
+  const { bringBrowser } = await import('./browser.mjs')
+  await bringBrowser()
+  return verdict(0)
+})
+await check('Code is formatted and clean', ['biome', 'check'])
+await check('The one file is what its rooms assemble to', ['node', 'scripts/assemble.mjs', '--check'])
+await check('The registry is valid', ['shadcn', 'registry', 'validate'])
+await check('The served registry is what a fresh build gives', ['node', 'scripts/registry.mjs', '--check'])
+await check('Types hold', ['contentlayer2', 'build'], ['next', 'typegen'], ['tsc', '--noEmit'])
+
+const unitReport = join(reports, 'vitest.json')
+await tests(
+  'Unit tests',
+  'vitest',
+  ['run', '--reporter=default', '--reporter=json', `--outputFile.json=${unitReport}`],
+  unitReport,
+  ({ numPassedTests, numFailedTests }) => ({ passed: numPassedTests, failed: numFailedTests }),
+)
+
+await check('The site builds', ['node', 'scripts/build.mjs'])
+
+const browserReport = join(reports, 'playwright.json')
+await tests(
+  'Browser and install tests',
+  'playwright',
+  ['test', '--reporter=list,json'],
+  browserReport,
+  ({ stats }) => ({ passed: stats.expected, failed: stats.unexpected + stats.flaky + stats.skipped }),
+  { PLAYWRIGHT_JSON_OUTPUT_FILE: browserReport },
+)
+
+console.log(failures.length > 0 ? `\nFailed:\n  ${failures.join('\n  ')}\n` : '')
+console.log(`${totals.passed} passed, ${totals.failed} failed`)
+process.exit(totals.failed > 0 || totals.passed === 0 ? 1 : 0)
