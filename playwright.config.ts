@@ -1,7 +1,7 @@
+import { existsSync } from 'node:fs'
 import { defineConfig } from '@playwright/test'
 import { findBrowser } from './scripts/browser.mjs'
-
-const port = 4173
+import { siteUrl } from './site.config.mjs'
 
 export default defineConfig({
   testDir: 'e2e',
@@ -10,18 +10,17 @@ export default defineConfig({
   forbidOnly: true,
   timeout: 60_000,
   use: {
-    baseURL: `http://localhost:${port}`,
+    baseURL: siteUrl,
     launchOptions: { executablePath: findBrowser()?.path },
-    trace: 'retain-on-failure',
+    trace: 'retain-on-failure'
   },
   projects: [
     { name: 'component', testMatch: /e2e\/(?!site)[^/]*\.spec\.ts$/ },
     { name: 'site', testMatch: /e2e\/site[^/]*\.spec\.ts$/ },
-    { name: 'install', testMatch: /e2e\/install\/[^/]*\.spec\.ts$/, timeout: 300_000 },
+    { name: 'install', testMatch: /e2e\/install\/[^/]*\.spec\.ts$/, timeout: 300_000 }
   ],
-  webServer: {
-    command: 'node scripts/serve.mjs',
-    env: { PORT: String(port) },
-    url: `http://localhost:${port}`,
-  },
+  // The component's own tests need no built site.
+  webServer: existsSync('out')
+    ? { command: 'node scripts/serve.mjs', url: siteUrl, reuseExistingServer: !process.env.CI }
+    : undefined
 })

@@ -29,6 +29,8 @@ export function serve(port) {
   const files = sirv(out, {
     extensions: ['html'],
     etag: true,
+    // read from disk each time, so that a build made meanwhile shows
+    dev: true,
     setHeaders(response, url) {
       const type = response.getHeader('Content-Type')
       if (/^text\/\w+$/.test(type)) response.setHeader('Content-Type', `${type};charset=utf-8`)
@@ -48,7 +50,7 @@ export function serve(port) {
 }
 
 if (isMain(import.meta.url)) {
-  const port = Number(process.env.PORT || new URL(siteUrl).port || 3000)
+  const port = Number(process.env.PORT || new URL(siteUrl).port || 4000)
   await serve(port)
   console.log(`Site:     http://localhost:${port}`)
   console.log(`Registry: http://localhost:${port}/r/gravity-stack.json`)

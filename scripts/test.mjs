@@ -86,7 +86,7 @@ await tests(
   ['test', '--reporter=list,json'],
   browserReport,
   ({ stats }) => ({ passed: stats.expected, failed: stats.unexpected + stats.flaky + stats.skipped }),
-  { PLAYWRIGHT_JSON_OUTPUT_FILE: browserReport },
+  { PLAYWRIGHT_JSON_OUTPUT_FILE: browserReport, CI: '1' },
 )
 
 console.log(failures.length > 0 ? `\nFailed:\n  ${failures.join('\n  ')}\n` : '')
