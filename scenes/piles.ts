@@ -1,0 +1,163 @@
+// Scenes without one right answer: piles are chaotic, so they are judged by what any right answer has.
+import { chipDistance, halfExtent } from './exact-distance'
+import { type Chip, conditions, type Film, type Scene } from './scene'
+import { seeded } from './seeded'
+
+function stack(count: number, target: number): Scene {
+  const side = 40
+  const height = Math.max(340, count * side + 60)
+  return {
+    name: `stack-${count}`,
+    title: `${count} boxes stand on each other for 30 s`,
+    width: 640,
+    height,
+    seconds: 30,
+    conditions,
+    seeds: 1,
+    build: () =>
+      Array.from({ length: count }, (_, i) => ({
+        width: side,
+        height: side,
+        x: 320,
+        y: height - side * (i + 0.5),
+        angle: 0,
+      })),
+    measures: [{ name: 'drift', unit: 'px', target }],
+    measure: (film) => [film.drift()],
+  }
+}
+
+const pyramid: Scene = {
+  name: 'pyramid',
+  title: 'A pyramid of ten rows stands for 10 s',
+  width: 640,
+  height: 460,
+  seconds: 10,
+  conditions,
+  seeds: 1,
+  build() {
+    const chips: Chip[] = []
+    for (let row = 0; row < 10; row++) {
+      for (let i = 0; i < 10 - row; i++) {
+        const x = 320 + (i - (9 - row) / 2) * 48
+        chips.push({ width: 40, height: 40, x, y: 460 - 40 * (row + 0.5), angle: 0 })
+      }
+    }
+    return chips
+  },
+  measures: [{ name: 'drift', unit: 'px', target: 0.05 }],
+  measure: (film) => [film.drift()],
+}
+
+const massRatio: Scene = {
+  name: 'mass-ratio',
+  title: 'A chip rests on two that weigh a four-hundredth of it',
+  width: 640,
+  height: 340,
+  seconds: 5,
+  conditions,
+  seeds: 1,
+  build: () => [
+    { width: 30, height: 30, x: 260, y: 325, angle: 0 },
+    { width: 30, height: 30, x: 380, y: 325, angle: 0 },
+    { width: 200, height: 100, x: 320, y: 260, angle: 0, density: 18 },
+  ],
+  measures: [
+    { name: 'overlap', unit: 'px', target: 0.2 },
+    { name: 'drift', unit: 'px', target: 0.5 },
+  ],
+  measure: (film) => [film.worstOverlap(), film.drift()],
+}
+
+export type Kind = 'pills' | 'badges' | 'mixed'
+
+/** One chip of a pour: label pills 28 px high, badges with rounded corners, or both with discs, boxes and tall chips. */
+function pourChip(kind: Kind, random: () => number): { width: number; height: number; radius: number } {
+  const size = random()
+  const pill = { width: 56 + 56 * size, height: 28, radius: 14 }
+  const badge = { width: 36 + 60 * size, height: 30 + 14 * random(), radius: 8 }
+  if (kind === 'pills') return pill
+  if (kind === 'badges') return badge
+  const pick = random()
+  if (pick < 0.3) return pill
+  if (pick < 0.55) return badge
+  if (pick < 0.75) return { width: 28 + 24 * size, height: 28 + 24 * size, radius: 14 + 12 * size }
+  if (pick < 0.9) return { width: 30 + 50 * size, height: 28, radius: 0 }
+  return { width: 28, height: 40 + 40 * size, radius: 6 }
+}
+
+/** The stage that `count` chips fill as 60 of them fill 640 × 340 px. */
+export function pourStage(count: number) {
+  const scale = Math.sqrt(count / 60)
+  return { width: Math.round(640 * scale), height: Math.round(340 * scale) }
+}
+
+/** Spread by the golden ratio over the width, each as low above the stage as leaves a gap to those before it. */
+export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
+  const random = seeded(seed)
+  const { width } = pourStage(count)
+  const chips: Chip[] = []
+  const start = random()
+  for (let i = 0; i < count; i++) {
+    const shape = pourChip(kind, random)
+    const angle = 0.5 * (random() - 0.5)
+    const [half, tall] = halfExtent(shape, angle)
+    const golden = (start + i * 0.618033988749895 + 0.08 * (random() - 0.5) + 1) % 1
+    const chip = {
+      ...shape,
+      x: half + 2 + golden * (width - 2 * half - 4),
+      y: -24 - tall,
+      angle,
+      vx: 80 * (random() - 0.5),
+      vy: 0,
+      spin: 2.4 * (random() - 0.5),
+    }
+    const near = chips.filter((other) => Math.abs(other.x - chip.x) < (other.width + chip.width) / 2 + 8)
+    const blocked = () =>
+      near.some((other) => Math.abs(other.y - chip.y) < 160 && chipDistance(chip, chip, other, other) < 3)
+    while (blocked()) chip.y -= 4
+    chips.push(chip)
+  }
+  return chips
+}
+
+const pourTitles = { pills: 'pills', badges: 'rounded boxes', mixed: 'chips of every shape' }
+
+type PourTargets = { rest: number; during: number; time?: number; slowest?: number }
+
+function pour(kind: Kind, count: number, seconds: number, seeds: number, targets: PourTargets): Scene {
+  return {
+    name: `pour-${kind}-${count}`,
+    title: `${count} ${pourTitles[kind]} poured, all released at once`,
+    ...pourStage(count),
+    seconds,
+    conditions,
+    seeds,
+    build: (seed) => pourChips(kind, count, seed),
+    measures: [
+      { name: 'overlap at rest', unit: 'px', target: targets.rest, over: 'worst' },
+      { name: 'overlap during', unit: 'px', target: targets.during, over: 'median' },
+      { name: 'time to rest', unit: 's', target: targets.time, over: 'median' },
+      { name: 'slowest to rest', unit: 's', target: targets.slowest, over: 'worst' },
+    ],
+    measure(film: Film) {
+      const time = film.timeToRest()
+      return [film.overlap(film.frames), film.worstOverlap(), time, time]
+    },
+  }
+}
+
+const calm = { time: 1.9, slowest: 3 }
+
+export const pileScenes: Scene[] = [
+  stack(10, 0.05),
+  stack(20, 0.15),
+  pyramid,
+  massRatio,
+  pour('pills', 12, 5, 12, { rest: 0.03, during: 1, ...calm }),
+  pour('pills', 60, 6, 12, { rest: 0.03, during: 1, ...calm }),
+  pour('badges', 60, 6, 12, { rest: 0.05, during: 1.5, ...calm }),
+  pour('mixed', 60, 6, 12, { rest: 0.05, during: 1.5, ...calm }),
+  pour('pills', 250, 8, 3, { rest: 0.05, during: 1.5 }),
+  pour('pills', 1000, 12, 1, { rest: 0.05, during: 2 }),
+]
