@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import packageJson from './package.json' with { type: 'json' }
 
 /**
  * Where the site will stand, without a slash at the end: the one setting behind every address that we write
@@ -7,4 +7,4 @@ import { readFileSync } from 'node:fs'
 export const siteUrl = (process.env.SITE_URL || 'http://localhost:4000').replace(/\/+$/, '')
 
 /** The version people see in the component's first lines, in the registry and in the changelog. */
-export const { version } = JSON.parse(readFileSync(new URL('package.json', import.meta.url), 'utf8'))
+export const { version } = packageJson
