@@ -12,15 +12,15 @@ export default defineConfig({
   use: {
     baseURL: siteUrl,
     launchOptions: { executablePath: findBrowser()?.path },
-    trace: 'retain-on-failure'
+    trace: 'retain-on-failure',
   },
   projects: [
     { name: 'component', testMatch: /e2e\/(?!site)[^/]*\.spec\.ts$/ },
     { name: 'site', testMatch: /e2e\/site[^/]*\.spec\.ts$/ },
-    { name: 'install', testMatch: /e2e\/install\/[^/]*\.spec\.ts$/, timeout: 300_000 }
+    { name: 'install', testMatch: /e2e\/install\/[^/]*\.spec\.ts$/, timeout: 300_000 },
   ],
   // The component's own tests need no built site.
   webServer: existsSync('out')
     ? { command: 'node scripts/serve.mjs', url: siteUrl, reuseExistingServer: !process.env.CI }
-    : undefined
+    : undefined,
 })

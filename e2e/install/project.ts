@@ -1,0 +1,256 @@
+import { execFile, spawn } from 'node:child_process'
+import { once } from 'node:events'
+import { existsSync } from 'node:fs'
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
+import { createServer } from 'node:net'
+import { tmpdir } from 'node:os'
+import { dirname, join } from 'node:path'
+import { test as base, expect, type Page } from '@playwright/test'
+import { root } from '../../scripts/run.mjs'
+import { siteUrl } from '../../site.config.mjs'
+
+/** What ours is called on the registry that the site serves. */
+export const item = (name: string) => `${siteUrl}/r/${name}.json`
+
+export type Outcome = { code: number; output: string }
+
+/** A project of somebody else's, in a folder of its own far from ours, with tools of ours only by name. */
+export class Project {
+  constructor(readonly folder: string) {}
+
+  path = (...parts: string[]) => join(this.folder, ...parts)
+  read = (path: string) => readFile(this.path(path), 'utf8')
+  has = (path: string) => existsSync(this.path(path))
+
+  async write(files: Record<string, string | object>) {
+    for (const [path, content] of Object.entries(files)) {
+      await mkdir(dirname(this.path(path)), { recursive: true })
+      await writeFile(
+        this.path(path),
+        typeof content === 'string' ? content : `${JSON.stringify(content, null, 2)}\n`,
+      )
+    }
+  }
+
+  /** Changes a file by a function of its text. */
+  async edit(path: string, change: (text: string) => string) {
+    const before = await this.read(path)
+    const after = change(before)
+    expect(after, `${path} was to change`).not.toBe(before)
+    await writeFile(this.path(path), after)
+  }
+
+  /** Runs a command in the project and gives its code and all that it said; never throws. */
+  try(command: string, args: string[] = [], env: NodeJS.ProcessEnv = {}): Promise<Outcome> {
+    const { NODE_ENV: _, ...inherited } = process.env
+    return new Promise((resolve) => {
+      const options = {
+        cwd: this.folder,
+        maxBuffer: 2 ** 26,
+        env: {
+          ...inherited,
+          PATH: `${this.path('node_modules/.bin')}:${inherited.PATH}`,
+          PWD: this.folder,
+          CI: '1',
+          NEXT_TELEMETRY_DISABLED: '1',
+          npm_config_prefer_offline: 'true',
+          npm_config_audit: 'false',
+          npm_config_fund: 'false',
+          ...env,
+        },
+      }
+      const child = execFile(command, args, options, (error, stdout, stderr) => {
+        const code = typeof error?.code === 'number' ? error.code : error ? 1 : 0
+        resolve({ code, output: `${stdout}${stderr}${error && !child.pid ? error.message : ''}` })
+      })
+      child.stdin?.end()
+    })
+  }
+
+  /** Runs a command that has to end well, and gives what it said. */
+  run(command: string, args: string[] = [], env: NodeJS.ProcessEnv = {}): Promise<string> {
+    return base.step(`${command} ${args.join(' ')}`, async () => {
+      const { code, output } = await this.try(command, args, env)
+      expect(code, `${command} ${args.join(' ')}\n${output}`).toBe(0)
+      return output
+    })
+  }
+
+  /** The real shadcn CLI, at the version this repository pins. */
+  shadcn = (...args: string[]) => this.run(join(root, 'node_modules/.bin/shadcn'), args)
+
+  /** Starts a server of the project's on a free port, and gives its address and a way to end it. */
+  async serve(command: string, args: (port: number) => string[]) {
+    const port = await freePort()
+    const child = spawn(this.path('node_modules/.bin', command), args(port), {
+      cwd: this.folder,
+      stdio: 'ignore',
+      env: { ...process.env, NODE_ENV: 'production', PWD: this.folder },
+    })
+    const url = `http://localhost:${port}`
+    await expect
+      .poll(
+        () =>
+          fetch(url).then(
+            (response) => response.ok,
+            () => false,
+          ),
+        { timeout: 30_000 },
+      )
+      .toBe(true)
+    return {
+      url,
+      stop: async () => {
+        if (child.exitCode !== null) return
+        child.kill()
+        await once(child, 'exit')
+      },
+    }
+  }
+}
+
+async function freePort() {
+  const server = createServer().listen(0)
+  await once(server, 'listening')
+  const address = server.address()
+  server.close()
+  if (typeof address !== 'object' || !address) throw new Error('no port was free')
+  return address.port
+}
+
+/** `make(name)` gives an empty folder to start a project in; it goes when the test has passed. */
+export const test = base.extend<{ make: (name: string) => Promise<Project> }>({
+  // biome-ignore lint/correctness/noEmptyPattern: Playwright reads a fixture's needs from this pattern
+  make: async ({}, use, info) => {
+    const folder = await mkdtemp(join(tmpdir(), 'gravity-stack-'))
+    await use(async (name) => {
+      const project = new Project(join(folder, name))
+      await mkdir(project.folder)
+      return project
+    })
+    if (info.status === info.expectedStatus) await rm(folder, { recursive: true, force: true })
+    else console.log(`Left as it was: ${folder}`)
+  },
+})
+
+const tool = (name: string) => join(root, 'node_modules/.bin', name)
+
+/** What `shadcn init` writes, less the base colour, which it would look up on its own site. */
+export const components = (css: string, more: object = {}) => ({
+  $schema: 'https://ui.shadcn.com/schema.json',
+  style: 'new-york',
+  rsc: true,
+  tsx: true,
+  tailwind: { config: '', css, baseColor: '', cssVariables: true },
+  aliases: {
+    components: '@/components',
+    utils: '@/lib/utils',
+    ui: '@/components/ui',
+    lib: '@/lib',
+    hooks: '@/hooks',
+  },
+  iconLibrary: 'lucide',
+  ...more,
+})
+
+/** A code block of the docs, by the title it carries or the heading it stands under. */
+export async function docsCode(page: string, { title, heading }: { title?: string; heading?: string }) {
+  const text = await readFile(join(root, 'content/docs', `${page}.mdx`), 'utf8')
+  const section = heading ? text.slice(text.indexOf(`\n## ${heading}\n`)) : text
+  const code = section.match(
+    title ? RegExp(`\`\`\`\\w+ title="${title}"\\n([\\s\\S]*?)\`\`\``) : /```\w+\n([\s\S]*?)```/,
+  )
+  if (!code) throw new Error(`${page} has no code block ${title ?? heading}`)
+  return code[1]
+}
+
+/** A project fresh from Vite's own starter, with Tailwind and the `@/` alias set up as the Setup page says. */
+export async function viteProject(project: Project, template = 'react-ts') {
+  await project.run(tool('create-vite'), ['.', '--template', template, '--no-interactive', '--overwrite'])
+  const alias = JSON.parse(await docsCode('setup', { title: 'tsconfig.json' })).compilerOptions.paths
+  const options = `"compilerOptions": { "paths": ${JSON.stringify(alias)}`
+  await project.edit('tsconfig.json', (text) => text.replace('{', `{ ${options} },`))
+  await project.edit('tsconfig.app.json', (text) => text.replace('"compilerOptions": {', `${options},`))
+  await project.write({
+    'vite.config.ts': await docsCode('setup', { title: 'vite.config.ts' }),
+    'src/index.css': await docsCode('setup', { title: 'src/index.css' }),
+    'components.json': components('src/index.css', { rsc: false }),
+  })
+  await project.run('npm', ['install', 'tailwindcss', '@tailwindcss/vite'])
+}
+
+/** A project fresh from Next's own starter. Its fonts come from the network, so they stay out. */
+export async function nextProject(project: Project, ...options: string[]) {
+  await project.run(tool('create-next-app'), [
+    '.',
+    ...['--typescript', '--tailwind', '--app', '--no-src-dir', '--import-alias', '@/*'],
+    ...['--skip-install', '--disable-git', '--yes', '--no-agents-md'],
+    ...options,
+  ])
+  await project.write({
+    'app/layout.tsx': `import './globals.css'
+
+export default function RootLayout({ children }: { children: React.ReactNode }) {
+  return (
+    <html lang="en">
+      <body>{children}</body>
+    </html>
+  )
+}
+`,
+    'components.json': components('app/globals.css'),
+  })
+}
+
+const box = '[data-slot="gravity-stack"]'
+
+/** On the consumer's own page: the pile falls and rests inside its stage, a chip is dragged, and all rests again. */
+export async function expectPile(page: Page, url: string) {
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(error.message))
+  page.on('console', (message) => message.type() === 'error' && errors.push(message.text()))
+
+  await page.goto(url)
+  const stage = page.locator(box)
+  await expect(stage).toHaveAttribute('data-state', 'resting', { timeout: 30_000 })
+
+  const chips = stage.locator('[data-slot="gravity-stack-chip"]')
+  const area = await boxOf(stage)
+  for (const chip of await chips.all()) {
+    const { left, right, bottom } = await boxOf(chip)
+    expect(left).toBeGreaterThan(area.left - 1)
+    expect(right).toBeLessThan(area.right + 1)
+    expect(bottom).toBeLessThan(area.bottom + 1)
+  }
+
+  const highest = await topmost(chips)
+  const before = await boxOf(highest)
+  const x = (before.left + before.right) / 2
+  const y = (before.top + before.bottom) / 2
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  const aside = x < (area.left + area.right) / 2 ? area.right - 120 : area.left + 120
+  await page.mouse.move(aside, area.top + 60, { steps: 10 })
+  await expect(highest).toHaveAttribute('data-state', 'held')
+  await expect(stage).toHaveAttribute('data-state', 'running')
+  await page.mouse.up()
+  await expect(stage).toHaveAttribute('data-state', 'resting', { timeout: 30_000 })
+  const after = await boxOf(highest)
+  expect(Math.abs(after.left - before.left), 'the dragged chip lies somewhere else').toBeGreaterThan(20)
+  expect(errors).toEqual([])
+}
+
+type Chips = ReturnType<Page['locator']>
+
+const boxOf = (chip: Chips) =>
+  chip.evaluate((element) => {
+    const { left, right, top, bottom } = element.getBoundingClientRect()
+    return { left, right, top, bottom }
+  })
+
+async function topmost(chips: Chips) {
+  const tops = await Promise.all((await chips.all()).map((chip) => boxOf(chip)))
+  return chips.nth(tops.reduce((best, { top }, index) => (top < tops[best].top ? index : best), 0))
+}
+
+export { expect }
