@@ -140,7 +140,7 @@ const impact: Scene = {
   title: 'A pill strikes another off its centre, both free',
   width: 2000,
   height: 2000,
-  seconds: 0.5,
+  seconds: 0.2,
   conditions: { ...conditions, gravity: 0, friction: 0, bounce: 0.5 },
   seeds: 1,
   build: () => [
@@ -162,9 +162,9 @@ const impact: Scene = {
 }
 
 const obliqueThrows: Chip[] = [
-  { ...disc, x: 300, y: 200, angle: 0, vx: 700, vy: 500 },
-  { ...disc, x: 900, y: 200, angle: 0, vx: 100, vy: 500, spin: -3 },
-  { ...pill, x: 1500, y: 180, angle: 0.6, vx: -400, vy: 600 },
+  { ...disc, x: 300, y: 210, angle: 0, vx: 700, vy: 500 },
+  { ...disc, x: 900, y: 210, angle: 0, vx: 100, vy: 500, spin: -3 },
+  { ...pill, x: 1500, y: 170, angle: 0.9, vx: 300, vy: 600 },
   { ...pill, x: 2100, y: 160, angle: -1.1, vx: 60, vy: 700 },
 ]
 
@@ -173,7 +173,7 @@ const oblique: Scene = {
   title: 'Discs and pills strike the floor at a slant, sliding and gripping',
   width: 2600,
   height: 340,
-  seconds: 0.25,
+  seconds: 0.3,
   conditions: { ...conditions, gravity: 0, bounce: 0.5 },
   seeds: 1,
   build: () => obliqueThrows,

@@ -4,8 +4,8 @@ import { type Chip, conditions, type Film, type Scene } from './scene'
 import { seeded } from './seeded'
 
 function stack(count: number, target: number): Scene {
-  const side = 40
-  const height = Math.max(340, count * side + 60)
+  const tall = 40
+  const height = Math.max(340, count * tall + 60)
   return {
     name: `stack-${count}`,
     title: `${count} boxes stand on each other for 30 s`,
@@ -16,10 +16,10 @@ function stack(count: number, target: number): Scene {
     seeds: 1,
     build: () =>
       Array.from({ length: count }, (_, i) => ({
-        width: side,
-        height: side,
+        width: 2 * tall,
+        height: tall,
         x: 320,
-        y: height - side * (i + 0.5),
+        y: height - tall * (i + 0.5),
         angle: 0,
       })),
     measures: [{ name: 'drift', unit: 'px', target }],

@@ -1,0 +1,19 @@
+import type { Engine } from '../engine'
+
+// Loaded one by one: a process that measures one engine holds no other engine's code.
+const loaders: Record<string, () => Promise<Engine>> = {
+  'gravity-stack': async () => (await import('./ours')).ours,
+  'box2d3-wasm': async () => (await import('./box2d-wasm')).box2dWasm,
+  'box2d3-wasm-simd': async () => (await import('./box2d-wasm')).box2dSimd,
+}
+
+export const engineNames = Object.keys(loaders)
+
+/** The engine, ready to start scenes; `ours` is short for gravity-stack. */
+export async function loadEngine(name: string) {
+  const load = loaders[name === 'ours' ? 'gravity-stack' : name]
+  if (!load) throw new Error(`no engine "${name}"; there are ${engineNames.join(', ')}`)
+  const engine = await load()
+  await engine.load()
+  return engine
+}
