@@ -1,0 +1,40 @@
+import './globals.css'
+import { GeistMono } from 'geist/font/mono'
+import { GeistSans } from 'geist/font/sans'
+import type { Metadata, Viewport } from 'next'
+import type { ReactNode } from 'react'
+import { SiteFooter } from '@/components/site-footer'
+import { SiteHeader } from '@/components/site-header'
+import { preferencesScript } from '@/lib/preferences'
+import { siteUrl } from '@/site.config.mjs'
+
+export const metadata: Metadata = {
+  metadataBase: new URL(siteUrl),
+  title: { default: 'Gravity Stack: words with weight, for React', template: '%s · Gravity Stack' },
+  description:
+    'A React component whose children drop in, tumble and settle into a pile that people can grab and toss. Its own rigid-body solver, in the one file you copy.',
+}
+
+export const viewport: Viewport = {
+  themeColor: [
+    { media: '(prefers-color-scheme: light)', color: '#fcfbf9' },
+    { media: '(prefers-color-scheme: dark)', color: '#0f0e0d' },
+  ],
+}
+
+export default function Layout({ children }: { children: ReactNode }) {
+  return (
+    // The script below sets the theme on <html> before React looks at it.
+    <html lang="en" suppressHydrationWarning className={`${GeistSans.variable} ${GeistMono.variable}`}>
+      <head>
+        {/* biome-ignore lint/security/noDangerouslySetInnerHtml: our own script, must run before the first paint */}
+        <script dangerouslySetInnerHTML={{ __html: preferencesScript }} />
+      </head>
+      <body className="flex min-h-dvh flex-col font-sans">
+        <SiteHeader />
+        {children}
+        <SiteFooter />
+      </body>
+    </html>
+  )
+}

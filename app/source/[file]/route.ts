@@ -1,0 +1,17 @@
+import { highlight } from '@/lib/highlight'
+import { componentSource } from '@/lib/source'
+
+// The ending is .txt for all: any static host serves that as text and no browser runs it.
+const files: Record<string, () => string | Promise<string>> = {
+  'gravity-stack.tsx.txt': componentSource,
+  'gravity-stack.html.txt': () => highlight(componentSource()),
+}
+
+export const dynamic = 'force-static'
+export const dynamicParams = false
+export const generateStaticParams = () => Object.keys(files).map((file) => ({ file }))
+
+export async function GET(_request: Request, { params }: RouteContext<'/source/[file]'>) {
+  const { file } = await params
+  return new Response(await files[file](), { headers: { 'content-type': 'text/plain; charset=utf-8' } })
+}

@@ -1,0 +1,25 @@
+import { componentFile, componentSource } from '@/lib/source'
+import { Code } from './code-block'
+import { CopyButton } from './copy-button'
+import { SourceText } from './source-text'
+
+const shownLines = 32
+
+/** The whole file that people copy: its first lines in the page, the rest fetched when someone asks for it. */
+export function ComponentSource() {
+  const source = componentSource()
+  const lines = source.trimEnd().split('\n')
+  return (
+    <div className="code overflow-hidden rounded-xl border bg-panel">
+      <div className="flex items-center justify-between border-b py-1 pr-1.5 pl-4">
+        <span className="truncate font-mono text-muted-foreground text-xs">{componentFile}</span>
+        <CopyButton from="/source/gravity-stack.tsx.txt" label="Copy the whole file">
+          Copy file
+        </CopyButton>
+      </div>
+      <SourceText lines={lines.length}>
+        <Code code={lines.slice(0, shownLines).join('\n')} />
+      </SourceText>
+    </div>
+  )
+}

@@ -1,0 +1,75 @@
+'use client'
+
+import { cn } from 'cn'
+import { useEffect, useState } from 'react'
+import { CheckIcon, CopyIcon } from './icons'
+
+/**
+ * Copies `text`, or what stands at the address `from`, or else the code in the same `.code` box.
+ * The words beside the icon are there when `children` are; the accessible name is `label` either way.
+ */
+export function CopyButton({
+  text,
+  from,
+  label = 'Copy code',
+  className,
+  children,
+}: {
+  text?: string
+  from?: string
+  label?: string
+  className?: string
+  children?: string
+}) {
+  const [state, setState] = useState<'idle' | 'copied' | 'failed'>('idle')
+
+  useEffect(() => {
+    if (state === 'idle') return
+    const timer = setTimeout(() => setState('idle'), 2000)
+    return () => clearTimeout(timer)
+  }, [state])
+
+  async function copy(button: HTMLElement) {
+    try {
+      if (from) {
+        // The promise goes into the clipboard item: Safari lets nothing be copied after an await.
+        const answer = fetch(from).then(async (response) => {
+          if (!response.ok) throw new Error(`${from}: ${response.status}`)
+          return new Blob([await response.text()], { type: 'text/plain' })
+        })
+        await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
+      } else {
+        const shown = Array.from(button.closest('.code')?.querySelectorAll('pre') ?? []).find(
+          (pre) => pre.checkVisibility?.() ?? true,
+        )
+        await navigator.clipboard.writeText(text ?? shown?.textContent ?? '')
+      }
+      setState('copied')
+    } catch {
+      setState('failed')
+    }
+  }
+
+  const said = { idle: label, copied: 'Copied', failed: 'Could not copy' }[state]
+  return (
+    <button
+      type="button"
+      data-print="hide"
+      data-state={state}
+      aria-label={said}
+      title={said}
+      onClick={(event) => copy(event.currentTarget)}
+      className={cn(
+        'inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground',
+        state === 'failed' && 'text-red-700 dark:text-red-300',
+        className,
+      )}
+    >
+      {state === 'copied' ? <CheckIcon /> : <CopyIcon />}
+      {children && <span>{children}</span>}
+      <span role="status" className="sr-only">
+        {state === 'idle' ? '' : said}
+      </span>
+    </button>
+  )
+}

@@ -1,0 +1,33 @@
+'use client'
+
+import Link from 'next/link'
+import { usePathname } from 'next/navigation'
+
+export type Navigation = { title: string; pages: { title: string; href: string }[] }[]
+
+export function DocsNavigation({ sections, onNavigate }: { sections: Navigation; onNavigate?: () => void }) {
+  const path = usePathname().replace(/(.)\/$/, '$1')
+  return (
+    <ul className="space-y-7 text-sm">
+      {sections.map((section) => (
+        <li key={section.title}>
+          <p className="px-3 font-medium text-muted-foreground text-xs">{section.title}</p>
+          <ul className="mt-2 space-y-0.5">
+            {section.pages.map((page) => (
+              <li key={page.href}>
+                <Link
+                  href={page.href}
+                  onClick={onNavigate}
+                  aria-current={path === page.href ? 'page' : undefined}
+                  className="block rounded-md px-3 py-1.5 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
+                >
+                  {page.title}
+                </Link>
+              </li>
+            ))}
+          </ul>
+        </li>
+      ))}
+    </ul>
+  )
+}

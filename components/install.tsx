@@ -1,0 +1,37 @@
+'use client'
+
+import type { ReactNode } from 'react'
+import { TabList } from './tab-list'
+import { useChoice } from './use-choice'
+
+const ways = [
+  { value: 'cli', label: 'CLI' },
+  { value: 'manual', label: 'Manual' },
+]
+
+/** Two ways to install, each an `InstallWay`; the choice is remembered. Once on a page. */
+export function Install({ children }: { children: ReactNode }) {
+  const [way, choose] = useChoice('install')
+  return (
+    <div>
+      <div className="flex">
+        <TabList id="install" label="Way to install" tabs={ways} value={way} onSelect={choose} />
+      </div>
+      {children}
+    </div>
+  )
+}
+
+export function InstallWay({ of, children }: { of: 'cli' | 'manual'; children: ReactNode }) {
+  return (
+    <div
+      role="tabpanel"
+      id={`install-${of}`}
+      aria-labelledby={`install-tab-${of}`}
+      data-choice-panel={of}
+      className="prose mt-5"
+    >
+      {children}
+    </div>
+  )
+}

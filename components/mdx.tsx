@@ -1,0 +1,83 @@
+import Link from 'next/link'
+import type { ComponentProps, ComponentType } from 'react'
+import * as React from 'react'
+import * as runtime from 'react/jsx-runtime'
+import * as ReactDOM from 'react-dom'
+import { siteUrl } from '@/site.config.mjs'
+import { Command } from './command'
+import { ComponentPreview } from './component-preview'
+import { ComponentSource } from './component-source'
+import { CopyButton } from './copy-button'
+import { Install, InstallWay } from './install'
+import { PropsTable } from './props-table'
+
+/** A heading whose words are a link to itself. */
+function heading(Tag: 'h2' | 'h3' | 'h4') {
+  return ({ children, id }: ComponentProps<'h2'>) => (
+    <Tag id={id} className="group">
+      <a data-plain href={`#${id}`}>
+        {children}
+        <span aria-hidden="true" className="ml-2 text-muted-foreground opacity-0 group-hover:opacity-100">
+          #
+        </span>
+      </a>
+    </Tag>
+  )
+}
+
+const components = {
+  h2: heading('h2'),
+  h3: heading('h3'),
+  h4: heading('h4'),
+  a: ({ href = '', ...props }: ComponentProps<'a'>) => <Link href={href} {...props} />,
+  // rehype-pretty-code wraps each block in a figure.
+  figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
+    <figure {...props} className="code relative overflow-hidden rounded-xl border bg-panel">
+      <CopyButton className="absolute top-1.5 right-1.5 bg-panel" />
+      {children}
+    </figure>
+  ),
+  figcaption: ({ children }: ComponentProps<'figcaption'>) => (
+    <figcaption className="border-b px-4 py-2.5 pr-12 font-mono text-muted-foreground text-xs">
+      {children}
+    </figcaption>
+  ),
+  pre: ({ children }: ComponentProps<'pre'>) => (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a block that scrolls must be reachable
+    <pre tabIndex={0}>{children}</pre>
+  ),
+  table: (props: ComponentProps<'table'>) => (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
+    // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
+    <div role="region" aria-label="Table" tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
+      <table className="w-full text-left text-sm" {...props} />
+    </div>
+  ),
+  tr: (props: ComponentProps<'tr'>) => <tr className="border-b last:border-0" {...props} />,
+  th: (props: ComponentProps<'th'>) => (
+    <th scope="col" className="px-4 py-2.5 font-medium text-muted-foreground" {...props} />
+  ),
+  td: (props: ComponentProps<'td'>) => <td className="min-w-28 px-4 py-2.5 align-baseline" {...props} />,
+  Command,
+  AddCommand: ({ name }: { name: string }) => (
+    <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />
+  ),
+  ComponentPreview,
+  ComponentSource,
+  Install,
+  InstallWay,
+  PropsTable,
+}
+
+/** Runs the function body that contentlayer compiles a page to. On the server only: no MDX reaches the browser. */
+export function Mdx({ code }: { code: string }) {
+  const scope = { React, ReactDOM, _jsx_runtime: runtime }
+  const Content: ComponentType<{ components: unknown }> = new Function(...Object.keys(scope), code)(
+    ...Object.values(scope),
+  ).default
+  return (
+    <div className="prose">
+      <Content components={components} />
+    </div>
+  )
+}

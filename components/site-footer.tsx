@@ -1,0 +1,28 @@
+import Link from 'next/link'
+
+export function SiteFooter() {
+  return (
+    <footer data-print="hide" className="border-t">
+      <div className="mx-auto flex max-w-[88rem] flex-wrap items-center justify-between gap-x-8 gap-y-3 px-4 py-8 text-muted-foreground text-sm sm:px-6">
+        <p>Gravity Stack, a component of liten. MIT licensed.</p>
+        <ul className="flex flex-wrap gap-x-6 gap-y-2">
+          <li>
+            <Link href="/docs/setup" className="hover:text-foreground">
+              Setup
+            </Link>
+          </li>
+          <li>
+            <Link href="/docs/gravity-stack" className="hover:text-foreground">
+              Docs
+            </Link>
+          </li>
+          <li>
+            <a href="/r/registry.json" className="hover:text-foreground">
+              Registry
+            </a>
+          </li>
+        </ul>
+      </div>
+    </footer>
+  )
+}

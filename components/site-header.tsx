@@ -1,0 +1,41 @@
+import Link from 'next/link'
+import { navigation } from '@/lib/docs'
+import { MobileNavigation } from './mobile-navigation'
+import { ThemeToggle } from './theme-toggle'
+import { Mark } from './wordmark'
+
+const links = [{ title: 'Docs', href: '/docs/gravity-stack' }]
+
+export function SiteHeader() {
+  return (
+    <header data-print="hide" className="sticky top-0 z-40 border-b bg-background/90 backdrop-blur">
+      <a
+        href="#content"
+        className="-translate-y-16 absolute top-2 left-2 z-50 rounded-md bg-foreground px-3 py-2 text-background text-sm focus:translate-y-0"
+      >
+        Skip to content
+      </a>
+      <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
+        <Link href="/" className="mr-4 flex items-center gap-2.5 font-semibold tracking-tight">
+          <Mark className="size-6" />
+          Gravity Stack
+        </Link>
+        <nav aria-label="Main" className="hidden gap-1 sm:flex">
+          {links.map((link) => (
+            <Link
+              key={link.href}
+              href={link.href}
+              className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground"
+            >
+              {link.title}
+            </Link>
+          ))}
+        </nav>
+        <div className="ml-auto flex items-center gap-1">
+          <ThemeToggle />
+          <MobileNavigation sections={navigation} />
+        </div>
+      </div>
+    </header>
+  )
+}

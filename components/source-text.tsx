@@ -1,0 +1,48 @@
+'use client'
+
+import { type ReactNode, useState } from 'react'
+
+/** `children` are the first lines; a press brings the file in full, highlighted at build time. */
+export function SourceText({ lines, children }: { lines: number; children: ReactNode }) {
+  const [html, setHtml] = useState<string>()
+  const [state, setState] = useState<'short' | 'loading' | 'failed'>('short')
+
+  if (html) {
+    // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
+    return <div className="[&>pre]:max-h-[36rem]" dangerouslySetInnerHTML={{ __html: html }} />
+  }
+
+  async function show() {
+    setState('loading')
+    try {
+      const response = await fetch('/source/gravity-stack.html.txt')
+      if (!response.ok) throw new Error(response.statusText)
+      setHtml(await response.text())
+    } catch {
+      setState('failed')
+    }
+  }
+
+  return (
+    <>
+      {children}
+      <div className="flex flex-wrap items-center gap-x-4 gap-y-1 border-t px-4 py-2 text-sm">
+        <button
+          type="button"
+          onClick={show}
+          className="font-medium underline decoration-foreground/30 underline-offset-4 hover:decoration-foreground"
+        >
+          {state === 'loading' ? 'Fetching…' : `Show all ${lines.toLocaleString('en')} lines`}
+        </button>
+        <a
+          data-plain
+          href="/source/gravity-stack.tsx.txt"
+          className="text-muted-foreground hover:text-foreground"
+        >
+          Plain text
+        </a>
+        {state === 'failed' && <span role="alert">It could not be fetched; the plain text may work.</span>}
+      </div>
+    </>
+  )
+}

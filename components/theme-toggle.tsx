@@ -1,0 +1,38 @@
+'use client'
+
+import { useEffect } from 'react'
+import { save } from '@/lib/preferences'
+import { MoonIcon, SunIcon } from './icons'
+
+/** Light or dark; until someone presses it the page follows the system's setting, also when that changes. */
+export function ThemeToggle() {
+  useEffect(() => {
+    const system = matchMedia('(prefers-color-scheme: dark)')
+    const follow = () => {
+      try {
+        if (localStorage.getItem('theme')) return
+      } catch {
+        // Nothing can be saved, so nothing was.
+      }
+      document.documentElement.classList.toggle('dark', system.matches)
+    }
+    system.addEventListener('change', follow)
+    return () => system.removeEventListener('change', follow)
+  }, [])
+
+  return (
+    <button
+      type="button"
+      aria-label="Switch between light and dark"
+      title="Switch between light and dark"
+      onClick={() => {
+        const dark = document.documentElement.classList.toggle('dark')
+        save('theme', dark ? 'dark' : 'light')
+      }}
+      className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground transition-colors hover:bg-muted hover:text-foreground"
+    >
+      <SunIcon className="dark:hidden" />
+      <MoonIcon className="hidden dark:block" />
+    </button>
+  )
+}

@@ -1,0 +1,30 @@
+/**
+ * Choices that outlive a visit: the theme, the package manager, CLI or Manual. They stand on <html> as attributes, so
+ * that CSS can show the right thing before React has loaded, and in localStorage under the same names.
+ */
+export const choices = {
+  'package-manager': ['npm', 'pnpm', 'yarn', 'bun'],
+  install: ['cli', 'manual'],
+} as const
+
+export type Choice = keyof typeof choices
+
+/** Runs in <head> before the first paint. Storage throws where cookies are blocked. */
+export const preferencesScript = `(() => {
+  const root = document.documentElement
+  const saved = (key) => { try { return localStorage.getItem(key) } catch { return null } }
+  const theme = saved('theme') ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')
+  root.classList.toggle('dark', theme === 'dark')
+  for (const [key, options] of Object.entries(${JSON.stringify(choices)})) {
+    const choice = saved(key)
+    if (options.includes(choice)) root.setAttribute('data-' + key, choice)
+  }
+})()`
+
+export function save(key: string, value: string) {
+  try {
+    localStorage.setItem(key, value)
+  } catch {
+    // The choice then lasts as long as the page.
+  }
+}

@@ -1,0 +1,32 @@
+import 'server-only'
+import { parse } from 'react-docgen'
+import { componentFile, componentSource } from './source'
+
+export type Prop = { name: string; type: string; fallback?: string; description: string }
+
+/**
+ * The rows of the props table, from the JSDoc of `GravityStackProps`. Throws, and so fails the build, when a prop has
+ * no words or when its `@default` is not the one in the code.
+ */
+export function readProps(): Prop[] {
+  const component = parse(componentSource(), { filename: componentFile }).find(
+    (found) => found.displayName === 'GravityStack',
+  )
+  if (!component?.props) throw new Error(`${componentFile} exports no GravityStack with typed props`)
+
+  return Object.entries(component.props).map(([name, prop]) => {
+    const [description, written] = (prop.description ?? '').split(/^@default\s+/m).map((part) => part.trim())
+    const used = prop.defaultValue?.value
+    if (!description) throw new Error(`GravityStackProps.${name} has no description`)
+    if (used !== undefined && written !== used) {
+      throw new Error(`GravityStackProps.${name} says @default ${written}, the code says ${used}`)
+    }
+    const type = prop.tsType && 'raw' in prop.tsType && prop.tsType.raw ? prop.tsType.raw : prop.tsType?.name
+    return {
+      name,
+      type: type ?? 'unknown',
+      fallback: written,
+      description: description.replace(/\s*\n\s*/g, ' '),
+    }
+  })
+}
