@@ -1,0 +1,53 @@
+/** Every number of the simulation, with its unit and its reason. Lengths are CSS pixels, times seconds, angles radians. */
+
+/** px/s², about what a chip dropped on a desk looks like on a screen. */
+export const GRAVITY = 2600
+/** Restitution, 0..1: chips are dull. */
+export const BOUNCE = 0.18
+/** Coulomb coefficient between chips, and between a chip and the stage. */
+export const FRICTION = 0.4
+/** 1/s, air drag on the velocity and on the spin. */
+export const LINEAR_DAMPING = 0.35
+export const ANGULAR_DAMPING = 1.4
+/** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
+export const BOUNCE_THRESHOLD = 90
+/** px/s, the fastest a chip ever moves. */
+export const MAX_SPEED = 3600
+
+/** s, the fixed step. Frames of any length are cut into these, so that the pile never depends on the display. */
+export const STEP = 1 / 60
+/** Sub-steps of a step for an island in motion. More is more exact and dearer. */
+export const SUBSTEPS = 8
+
+/** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
+export const SLOP = 0.005
+/** Share of the remaining overlap that one position sweep takes out. */
+export const PUSH = 0.5
+/** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
+export const MAX_PUSH = 4
+/** px, gap below which a pair is handed to the solver before it touches. */
+export const MARGIN = 0.5
+/** px of motion after which a touching pair is measured again. */
+export const REFRESH = 0.1
+/** px by which a broad-phase box is larger than its chip. */
+export const SKIN = 8
+
+/** px/s, change of velocity below which the sweeps over simultaneous impacts stop. */
+export const IMPACT_TOLERANCE = 2
+/** Most sweeps over one cluster of impacts. */
+export const IMPACT_SWEEPS = 24
+/** px/s of approach from which an impact is passed on to a touching neighbour. */
+export const IMPACT_SPREAD = 5
+/** px, gap up to which a neighbour counts as touching when an impact is passed on. */
+export const IMPACT_TOUCH = 0.05
+
+/** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
+export const REST_DISTANCE = 0.5
+export const REST_TIME = 0.5
+
+/** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
+export const GRAB_HERTZ = 7.5
+export const GRAB_DAMPING = 1
+export const GRAB_STRENGTH = 100
+/** px/s, the most a chip keeps when it is let go. */
+export const MAX_TOSS = 1800

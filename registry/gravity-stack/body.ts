@@ -1,0 +1,235 @@
+import { STEP } from './constants'
+
+/**
+ * Bodies live in flat arrays, one record each. Body 0 is the stage itself: it has no inverse mass and never moves,
+ * so that a wall is a contact like any other.
+ *
+ * A chip is a core rectangle (half extents `HX`, `HY`) swept by a radius: disc, pill, rounded box and box in one family.
+ */
+
+// Record of `state`, read by every sweep: one cache line a body.
+export const X = 0
+export const Y = 1
+export const ANGLE = 2
+export const VX = 3
+export const VY = 4
+export const SPIN = 5
+export const INV_MASS = 6
+export const INV_INERTIA = 7
+export const STATE = 8
+
+// Record of `motion`, read once a sub-step.
+/** Change of velocity that the contacts give in a sub-step: the warm start, summed up by body. */
+export const PUSH_X = 0
+export const PUSH_Y = 1
+export const PUSH_SPIN = 2
+/** Velocity after gravity, drag and warm start: what the sweep starts from. */
+export const KICK_X = 3
+export const KICK_Y = 4
+export const KICK_SPIN = 5
+/** Displacement of this sub-step without what the sweep adds. */
+export const DRIFT_X = 6
+export const DRIFT_Y = 7
+export const DRIFT_ANGLE = 8
+/** Orientation as a unit vector, and the angle it stands for. */
+export const COS = 9
+export const SIN = 10
+export const TURNED = 11
+/** Length of the way that the farthest point of the body has gone: never less than its displacement. */
+export const WAY = 12
+/** px that it may go in the coming sub-step. */
+export const NEXT = 13
+export const MOTION = 16
+
+// Record of `shape`.
+export const HX = 0
+export const HY = 1
+export const RADIUS = 2
+/** Distance of the farthest point from the centre. */
+export const EXTENT = 3
+export const SHAPE = 4
+
+export interface Bodies {
+  /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
+  count: number
+  state: Float64Array
+  motion: Float64Array
+  shape: Float64Array
+  /** Pose at the start of the step (x, y, angle), for drawing between steps. */
+  before: Float64Array
+  /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
+  rest: Float64Array
+  /** 1 while the slot holds a body. */
+  alive: Uint8Array
+  asleep: Uint8Array
+}
+
+export function createBodies(): Bodies {
+  const bodies: Bodies = {
+    count: 1,
+    state: new Float64Array(STATE),
+    motion: new Float64Array(MOTION),
+    shape: new Float64Array(SHAPE),
+    before: new Float64Array(3),
+    rest: new Float64Array(4),
+    alive: new Uint8Array(1),
+    asleep: new Uint8Array(1),
+  }
+  bodies.motion[COS] = 1
+  return bodies
+}
+
+/** Copies `from` into a new array of `length`. */
+export function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T, length: number): T {
+  const to = new (from.constructor as new (length: number) => T)(length)
+  to.set(from)
+  return to
+}
+
+export function reserveBodies(bodies: Bodies, slots: number): void {
+  if (bodies.alive.length >= slots) return
+  const capacity = Math.max(slots, bodies.alive.length * 2, 32)
+  bodies.state = grown(bodies.state, capacity * STATE)
+  bodies.motion = grown(bodies.motion, capacity * MOTION)
+  bodies.shape = grown(bodies.shape, capacity * SHAPE)
+  bodies.before = grown(bodies.before, capacity * 3)
+  bodies.rest = grown(bodies.rest, capacity * 4)
+  bodies.alive = grown(bodies.alive, capacity)
+  bodies.asleep = grown(bodies.asleep, capacity)
+}
+
+/**
+ * Sets the shape of body `i` from its outer size and corner radius (px) and its mass from its area.
+ * Area and second moment are the rounded rectangle's own: core, four slabs and four quarter discs.
+ */
+export function setShape(
+  bodies: Bodies,
+  i: number,
+  width: number,
+  height: number,
+  radius: number,
+  density: number,
+): void {
+  const r = Math.max(0, Math.min(radius, width / 2, height / 2))
+  const hx = width / 2 - r
+  const hy = height / 2 - r
+  const s = i * SHAPE
+  bodies.shape[s + HX] = hx
+  bodies.shape[s + HY] = hy
+  bodies.shape[s + RADIUS] = r
+  bodies.shape[s + EXTENT] = Math.sqrt(hx * hx + hy * hy) + r
+
+  // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
+  const corner = Math.PI * r * r
+  const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
+  // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
+  const core = (4 * hx * hy * (hx * hx + hy * hy)) / 3
+  const sides = (4 * r * hy * (hy * hy + (r * r) / 4)) / 3 + 4 * r * hy * (hx + r / 2) * (hx + r / 2)
+  const caps = (4 * r * hx * (hx * hx + (r * r) / 4)) / 3 + 4 * r * hx * (hy + r / 2) * (hy + r / 2)
+  // A quarter disc's centre of area lies 4r/3π from its corner along each axis.
+  const corners = corner * (hx * hx + hy * hy + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
+  const mass = density * area
+  const inertia = density * (core + sides + caps + corners)
+  bodies.state[i * STATE + INV_MASS] = mass > 0 ? 1 / mass : 0
+  bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
+}
+
+/** cos and sin of `angle` by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
+export function direction(angle: number, out: { cos: number; sin: number }): void {
+  const turn = angle - Math.round(angle / (2 * Math.PI)) * (2 * Math.PI)
+  // A quarter of the angle is at most 0.79 rad; the series is short there. Doubled twice afterwards.
+  const a = turn / 4
+  const aa = a * a
+  let sin =
+    a *
+    (1 -
+      (aa / 6) *
+        (1 -
+          (aa / 20) *
+            (1 - (aa / 42) * (1 - (aa / 72) * (1 - (aa / 110) * (1 - (aa / 156) * (1 - aa / 210)))))))
+  let cos =
+    1 -
+    (aa / 2) *
+      (1 -
+        (aa / 12) * (1 - (aa / 30) * (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - aa / 182))))))
+  for (let k = 0; k < 2; k++) {
+    const s = 2 * sin * cos
+    cos = 1 - 2 * sin * sin
+    sin = s
+  }
+  out.cos = cos
+  out.sin = sin
+}
+
+const heading = { cos: 1, sin: 0 }
+
+/** Puts body `i` at a pose with a velocity, as if it had always been there. */
+export function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number): void {
+  const s = i * STATE
+  const m = i * MOTION
+  bodies.state[s + X] = x
+  bodies.state[s + Y] = y
+  bodies.state[s + ANGLE] = angle
+  direction(angle, heading)
+  bodies.motion[m + COS] = heading.cos
+  bodies.motion[m + SIN] = heading.sin
+  bodies.motion[m + TURNED] = angle
+  bodies.before.set([x, y, angle], i * 3)
+  bodies.rest.set([x, y, angle, 0], i * 4)
+}
+
+/**
+ * Brings the orientation of body `i` up to its angle. tan(θ/2) by a short series, the half-angle formulas are then an
+ * exact rotation: 6e-9 rad a second at 20 rad/s, and the vector keeps its length.
+ */
+export function turn(state: Float64Array, motion: Float64Array, i: number): void {
+  const m = i * MOTION
+  const angle = state[i * STATE + ANGLE]
+  const by = angle - motion[m + TURNED]
+  if (by === 0) return
+  if (by > 0.3 || by < -0.3) {
+    direction(angle, heading)
+    motion[m + COS] = heading.cos
+    motion[m + SIN] = heading.sin
+  } else {
+    const bb = by * by
+    const t = by * (0.5 + bb * (1 / 24 + bb * (1 / 240 + bb * (17 / 40320))))
+    const k = 2 / (1 + t * t)
+    const cos = k - 1
+    const sin = t * k
+    const c = motion[m + COS] * cos - motion[m + SIN] * sin
+    const s = motion[m + SIN] * cos + motion[m + COS] * sin
+    // One Newton step keeps the length at 1 against the rounding of thousands of turns.
+    const fix = 1.5 - 0.5 * (c * c + s * s)
+    motion[m + COS] = c * fix
+    motion[m + SIN] = s * fix
+  }
+  motion[m + TURNED] = angle
+}
+
+/** What air does to a body in a time `h`: v ← fade·v + g·reach, x ← x + reach·v + g·fall. Exact for any h. */
+export interface Air {
+  h: number
+  fade: number
+  reach: number
+  fall: number
+}
+
+/** Closed form of v' = g − c·v over `h` seconds, by series, because Math.exp is not the same in every engine. c·h ≤ 0.5. */
+export function air(damping: number, h: number): Air {
+  const z = -damping * h
+  let term = 1
+  let fade = 0
+  let reach = 0
+  let fall = 0
+  for (let k = 0; k < 18; k++) {
+    fade += term
+    reach += term / (k + 1)
+    fall += term / ((k + 1) * (k + 2))
+    term *= z / (k + 1)
+  }
+  return { h, fade, reach: reach * h, fall: fall * h * h }
+}
+
+/** The largest damping (1/s) for which `air` is exact at a whole step. */
+export const MAX_DAMPING = 0.5 / STEP

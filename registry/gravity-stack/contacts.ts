@@ -1,0 +1,312 @@
+import {
+  ANGLE,
+  type Bodies,
+  grown,
+  INV_INERTIA,
+  INV_MASS,
+  MOTION,
+  PUSH_SPIN,
+  PUSH_X,
+  PUSH_Y,
+  STATE,
+  WAY,
+  X,
+  Y,
+} from './body'
+import { AX, AY, BX, BY, collide, collideWall, FEATURE, GAP, POINT, touch } from './collide'
+import { REFRESH } from './constants'
+
+/**
+ * Pairs that may touch, and their manifolds: up to two points that share a normal. A pair keeps its slot, and its
+ * impulses, for as long as the two stay near each other.
+ *
+ * The separation is linear in the poses between two measurements: gap = base + n·(x_B − x_A) + arm_B·θ_B − arm_A·θ_A.
+ */
+
+// Record of `data`: one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
+export const NX = 0
+export const NY = 1
+/** 0: apart, no manifold; 1 or 2 points. */
+export const POINTS = 2
+export const NA1 = 3
+export const NB1 = 4
+export const NA2 = 5
+export const NB2 = 6
+/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
+export const TA = 7
+export const TB = 8
+export const BASE1 = 9
+export const BASE2 = 10
+/** Accumulated impulses of a sub-step: normal of each point, friction. */
+export const LOAD1 = 11
+export const LOAD2 = 12
+export const DRAG = 13
+/** Inverse effective masses K = J·M⁻¹·Jᵀ: both normals, their coupling; and 1 / det K, 0 where the two are nearly one. */
+export const K11 = 14
+export const K22 = 15
+export const K12 = 16
+export const INV_DET = 17
+/** Effective mass along the tangent. */
+export const MASS_T = 18
+/** Lower bound of the gap plus the ways of both bodies when it was measured, px. */
+export const REACH = 19
+/** Impact: wanted velocities of both points, impulses, and the time since the start of the sub-step, s. */
+export const GOAL1 = 20
+export const GOAL2 = 21
+export const HIT1 = 22
+export const HIT2 = 23
+export const HIT_T = 24
+export const WHEN = 25
+/** Sub-steps a step when the impulses were stored. */
+export const RATE = 26
+export const CONTACT = 28
+
+export interface Contacts {
+  /** Slots ever used; free ones among them are chained through `next`. */
+  count: number
+  free: number
+  /** Body A and body B of each slot; A is 0 for a wall, B is 0 for a free slot. */
+  pair: Int32Array
+  /** Features of both points. */
+  feature: Int32Array
+  /** 0 for two chips; 1 floor, 2 left wall, 3 right wall. */
+  wall: Uint8Array
+  data: Float64Array
+  /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
+  head: Int32Array
+  next: Int32Array
+  last: Int32Array
+  /** Number of the impact phase in which the contact was taken up. */
+  mark: Int32Array
+}
+
+export function createContacts(): Contacts {
+  return {
+    count: 0,
+    free: -1,
+    pair: new Int32Array(0),
+    feature: new Int32Array(0),
+    wall: new Uint8Array(0),
+    data: new Float64Array(0),
+    head: new Int32Array(0),
+    next: new Int32Array(0),
+    last: new Int32Array(0),
+    mark: new Int32Array(0),
+  }
+}
+
+export function reserveHeads(contacts: Contacts, bodies: number): void {
+  const have = contacts.head.length
+  if (have >= bodies) return
+  contacts.head = grown(contacts.head, bodies)
+  contacts.head.fill(-1, have)
+}
+
+function link(contacts: Contacts, edge: number, body: number): void {
+  const first = contacts.head[body]
+  contacts.next[edge] = first
+  contacts.last[edge] = -1
+  if (first >= 0) contacts.last[first] = edge
+  contacts.head[body] = edge
+}
+
+function unlink(contacts: Contacts, edge: number, body: number): void {
+  const before = contacts.last[edge]
+  const after = contacts.next[edge]
+  if (before >= 0) contacts.next[before] = after
+  else contacts.head[body] = after
+  if (after >= 0) contacts.last[after] = before
+}
+
+/** A slot for the pair of bodies `a` and `b`, or for body `b` and a wall (`a` is 0 then). */
+export function addContact(contacts: Contacts, a: number, b: number, wall: number): number {
+  let c = contacts.free
+  if (c >= 0) contacts.free = contacts.next[2 * c]
+  else {
+    c = contacts.count++
+    if (c >= contacts.wall.length) {
+      const capacity = Math.max(64, contacts.wall.length * 2)
+      contacts.pair = grown(contacts.pair, capacity * 2)
+      contacts.feature = grown(contacts.feature, capacity * 2)
+      contacts.wall = grown(contacts.wall, capacity)
+      contacts.data = grown(contacts.data, capacity * CONTACT)
+      contacts.next = grown(contacts.next, capacity * 2)
+      contacts.last = grown(contacts.last, capacity * 2)
+      contacts.mark = grown(contacts.mark, capacity)
+    }
+  }
+  contacts.pair[2 * c] = a
+  contacts.pair[2 * c + 1] = b
+  contacts.wall[c] = wall
+  contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
+  contacts.data[c * CONTACT + REACH] = -Infinity
+  if (a > 0) link(contacts, 2 * c, a)
+  link(contacts, 2 * c + 1, b)
+  return c
+}
+
+export function removeContact(contacts: Contacts, c: number): void {
+  const a = contacts.pair[2 * c]
+  if (a > 0) unlink(contacts, 2 * c, a)
+  unlink(contacts, 2 * c + 1, contacts.pair[2 * c + 1])
+  contacts.pair[2 * c] = 0
+  contacts.pair[2 * c + 1] = 0
+  contacts.next[2 * c] = contacts.free
+  contacts.free = c
+}
+
+/** The impulses of contact `c`, times `sign`, added to what its bodies get as warm start. */
+export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): void {
+  const d = contacts.data
+  const k = c * CONTACT
+  const l1 = sign * d[k + LOAD1]
+  const l2 = sign * d[k + LOAD2]
+  const lt = sign * d[k + DRAG]
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const x = nx * (l1 + l2) - ny * lt
+  const y = ny * (l1 + l2) + nx * lt
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const { state, motion } = bodies
+  const ima = state[a * STATE + INV_MASS]
+  const imb = state[b * STATE + INV_MASS]
+  const ma = a * MOTION
+  const mb = b * MOTION
+  motion[ma + PUSH_X] -= ima * x
+  motion[ma + PUSH_Y] -= ima * y
+  motion[ma + PUSH_SPIN] -=
+    state[a * STATE + INV_INERTIA] * (d[k + NA1] * l1 + d[k + NA2] * l2 + d[k + TA] * lt)
+  motion[mb + PUSH_X] += imb * x
+  motion[mb + PUSH_Y] += imb * y
+  motion[mb + PUSH_SPIN] +=
+    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt)
+}
+
+/** Inner side of each wall as n·x ≥ offset: floor, left, right. */
+export interface Walls {
+  width: number
+  height: number
+}
+
+/**
+ * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
+ * them; those of a point that is gone go to the one that is left.
+ */
+export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, margin: number): number {
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const wall = contacts.wall[c]
+  const gap =
+    wall === 0
+      ? collide(bodies, a, b, margin)
+      : wall === 1
+        ? collideWall(bodies, b, 0, -1, -walls.height, margin)
+        : wall === 2
+          ? collideWall(bodies, b, 1, 0, 0, margin)
+          : collideWall(bodies, b, -1, 0, -walls.width, margin)
+  const d = contacts.data
+  const k = c * CONTACT
+  const { state, motion } = bodies
+  const had = d[k + POINTS]
+  const loaded = had > 0 && d[k + LOAD1] + d[k + LOAD2] > 0
+  if (loaded) carry(bodies, contacts, c, -1)
+  const way = motion[a * MOTION + WAY] + motion[b * MOTION + WAY]
+  d[k + REACH] = way + (touch.count > 0 ? REFRESH : gap)
+  d[k + POINTS] = touch.count
+  if (touch.count === 0) {
+    d[k + LOAD1] = 0
+    d[k + LOAD2] = 0
+    d[k + DRAG] = 0
+    return gap
+  }
+
+  // Impulses by feature.
+  const points = touch.points
+  const f1 = points[FEATURE]
+  const f2 = touch.count > 1 ? points[POINT + FEATURE] : -1
+  const old1 = contacts.feature[2 * c]
+  const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
+  if (loaded) {
+    const l1 = d[k + LOAD1]
+    const l2 = had > 1 ? d[k + LOAD2] : 0
+    if (touch.count === 1) {
+      d[k + LOAD1] = l1 + l2
+      d[k + LOAD2] = 0
+    } else if (had === 1) {
+      if (old1 === f2) {
+        d[k + LOAD1] = 0
+        d[k + LOAD2] = l1
+      } else if (old1 !== f1) {
+        d[k + LOAD1] = l1 / 2
+        d[k + LOAD2] = l1 / 2
+      } else d[k + LOAD2] = 0
+    } else if (old1 === f2 || old2 === f1) {
+      d[k + LOAD1] = l2
+      d[k + LOAD2] = l1
+    }
+  } else {
+    d[k + LOAD1] = 0
+    d[k + LOAD2] = 0
+    d[k + DRAG] = 0
+  }
+  contacts.feature[2 * c] = f1
+  contacts.feature[2 * c + 1] = f2
+
+  const nx = touch.nx
+  const ny = touch.ny
+  const ima = state[a * STATE + INV_MASS]
+  const imb = state[b * STATE + INV_MASS]
+  const iia = state[a * STATE + INV_INERTIA]
+  const iib = state[b * STATE + INV_INERTIA]
+  const im = ima + imb
+  const na1 = points[AX] * ny - points[AY] * nx
+  const nb1 = points[BX] * ny - points[BY] * nx
+  let ta = points[AX] * nx + points[AY] * ny
+  let tb = points[BX] * nx + points[BY] * ny
+  const dx = state[b * STATE + X] - state[a * STATE + X]
+  const dy = state[b * STATE + Y] - state[a * STATE + Y]
+  const across = nx * dx + ny * dy
+  const angleA = state[a * STATE + ANGLE]
+  const angleB = state[b * STATE + ANGLE]
+  d[k + NX] = nx
+  d[k + NY] = ny
+  d[k + NA1] = na1
+  d[k + NB1] = nb1
+  d[k + BASE1] = points[GAP] - across - nb1 * angleB + na1 * angleA
+  const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
+  d[k + K11] = k11
+  if (touch.count > 1) {
+    const na2 = points[POINT + AX] * ny - points[POINT + AY] * nx
+    const nb2 = points[POINT + BX] * ny - points[POINT + BY] * nx
+    ta = (ta + points[POINT + AX] * nx + points[POINT + AY] * ny) / 2
+    tb = (tb + points[POINT + BX] * nx + points[POINT + BY] * ny) / 2
+    const k22 = im + iia * na2 * na2 + iib * nb2 * nb2
+    const k12 = im + iia * na1 * na2 + iib * nb1 * nb2
+    const det = k11 * k22 - k12 * k12
+    d[k + NA2] = na2
+    d[k + NB2] = nb2
+    d[k + BASE2] = points[POINT + GAP] - across - nb2 * angleB + na2 * angleA
+    d[k + K22] = k22
+    d[k + K12] = k12
+    d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
+  }
+  d[k + TA] = ta
+  d[k + TB] = tb
+  d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
+  if (loaded) carry(bodies, contacts, c, 1)
+  return gap
+}
+
+/** px, gap of point 1 (or of point 2 with `second`) at the present poses. */
+export function gapOf(bodies: Bodies, contacts: Contacts, c: number, second: boolean): number {
+  const d = contacts.data
+  const k = c * CONTACT
+  const sa = contacts.pair[2 * c] * STATE
+  const sb = contacts.pair[2 * c + 1] * STATE
+  const s = bodies.state
+  const across = d[k + NX] * (s[sb + X] - s[sa + X]) + d[k + NY] * (s[sb + Y] - s[sa + Y])
+  return second
+    ? d[k + BASE2] + across + d[k + NB2] * s[sb + ANGLE] - d[k + NA2] * s[sa + ANGLE]
+    : d[k + BASE1] + across + d[k + NB1] * s[sb + ANGLE] - d[k + NA1] * s[sa + ANGLE]
+}

@@ -1,0 +1,181 @@
+import { type Bodies, COS, INV_INERTIA, INV_MASS, MOTION, PUSH_SPIN, PUSH_X, PUSH_Y, SIN, SPIN, STATE, VX, VY, X, Y } from './body'
+import { GRAB_DAMPING, GRAB_HERTZ, GRAB_STRENGTH, MAX_TOSS } from './constants'
+
+/**
+ * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
+ * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
+ */
+export interface Hold {
+  body: number
+  /** Grabbed point in the body's own axes, px from its centre. */
+  localX: number
+  localY: number
+  /** Where the pointer is, and where it was lately. */
+  x: number
+  y: number
+  samples: { x: number; y: number; seconds: number }[]
+  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  impulseX: number
+  impulseY: number
+  rate: number
+  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
+  rx: number
+  ry: number
+  k11: number
+  k12: number
+  k22: number
+  biasX: number
+  biasY: number
+  massScale: number
+  impulseScale: number
+  limit: number
+}
+
+export function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  const c = bodies.motion[body * MOTION + COS]
+  const s = bodies.motion[body * MOTION + SIN]
+  const dx = x - bodies.state[body * STATE + X]
+  const dy = y - bodies.state[body * STATE + Y]
+  return {
+    body,
+    localX: c * dx + s * dy,
+    localY: c * dy - s * dx,
+    x,
+    y,
+    samples: [],
+    impulseX: 0,
+    impulseY: 0,
+    rate: 0,
+    rx: 0,
+    ry: 0,
+    k11: 0,
+    k12: 0,
+    k22: 0,
+    biasX: 0,
+    biasY: 0,
+    massScale: 0,
+    impulseScale: 0,
+    limit: 0,
+  }
+}
+
+/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
+export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
+  const i = hold.body * STATE
+  const s = bodies.state
+  const cos = bodies.motion[hold.body * MOTION + COS]
+  const sin = bodies.motion[hold.body * MOTION + SIN]
+  const rx = cos * hold.localX - sin * hold.localY
+  const ry = sin * hold.localX + cos * hold.localY
+  const m = s[i + INV_MASS]
+  const n = s[i + INV_INERTIA]
+  const omega = 2 * Math.PI * GRAB_HERTZ
+  const a1 = 2 * GRAB_DAMPING + h * omega
+  const a2 = h * omega * a1
+  const a3 = 1 / (1 + a2)
+  hold.massScale = a2 * a3
+  hold.impulseScale = a3
+  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
+  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
+  const k11 = m + n * ry * ry
+  const k12 = -n * rx * ry
+  const k22 = m + n * rx * rx
+  const det = 1 / (k11 * k22 - k12 * k12)
+  hold.k11 = k22 * det
+  hold.k12 = -k12 * det
+  hold.k22 = k11 * det
+  hold.rx = rx
+  hold.ry = ry
+  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+}
+
+/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
+export function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+  const m = hold.body * MOTION
+  const i = hold.body * STATE
+  if (hold.rate !== substeps) {
+    hold.impulseX *= hold.rate / substeps
+    hold.impulseY *= hold.rate / substeps
+    hold.rate = substeps
+  }
+  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
+  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
+  bodies.motion[m + PUSH_SPIN] +=
+    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
+}
+
+export function solveHold(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const { rx, ry } = hold
+  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
+  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
+  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
+  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
+  const size = Math.sqrt(x * x + y * y)
+  if (size > hold.limit) {
+    x *= hold.limit / size
+    y *= hold.limit / size
+  }
+  const dx = x - hold.impulseX
+  const dy = y - hold.impulseY
+  hold.impulseX = x
+  hold.impulseY = y
+  s[i + VX] += s[i + INV_MASS] * dx
+  s[i + VY] += s[i + INV_MASS] * dy
+  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
+}
+
+/** s of the pointer's way that a throw is fitted to. */
+const THROW_WINDOW = 0.08
+
+/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
+export function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  hold.x = x
+  hold.y = y
+  const samples = hold.samples
+  samples.push({ x, y, seconds })
+  while (samples.length > 2 && samples[0].seconds < seconds - THROW_WINDOW) samples.shift()
+}
+
+/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+export function throwVelocity(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const samples = hold.samples
+  if (samples.length > 1) {
+    let t = 0
+    let x = 0
+    let y = 0
+    for (const sample of samples) {
+      t += sample.seconds / samples.length
+      x += sample.x / samples.length
+      y += sample.y / samples.length
+    }
+    let tt = 0
+    let tx = 0
+    let ty = 0
+    for (const sample of samples) {
+      tt += (sample.seconds - t) * (sample.seconds - t)
+      tx += (sample.seconds - t) * (sample.x - x)
+      ty += (sample.seconds - t) * (sample.y - y)
+    }
+    if (tt > 0) {
+      const vx = tx / tt
+      const vy = ty / tt
+      const offX = s[i + X] + hold.rx - hold.x
+      const offY = s[i + Y] + hold.ry - hold.y
+      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
+      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx
+        s[i + VY] = vy
+      }
+    }
+  }
+  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
+  if (speed > MAX_TOSS) {
+    s[i + VX] *= MAX_TOSS / speed
+    s[i + VY] *= MAX_TOSS / speed
+  }
+}

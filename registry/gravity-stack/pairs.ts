@@ -1,0 +1,186 @@
+import {
+  type Bodies,
+  COS,
+  grown,
+  HX,
+  HY,
+  MOTION,
+  RADIUS,
+  SHAPE,
+  SIN,
+  STATE,
+  turn,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
+import { SKIN, STEP } from './constants'
+import { addContact, type Contacts, removeContact, type Walls } from './contacts'
+
+/**
+ * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
+ * leaves its box; at rest that is never.
+ */
+export interface Pairs {
+  /** Left, top, right, bottom of each body's enlarged box, px. */
+  box: Float64Array
+  /** Bodies by the left edge of their box. */
+  order: Int32Array
+  sorted: number
+  /** 1 for a body that left its box in this step. */
+  moved: Uint8Array
+  /** Last body for which this one was marked as a partner. */
+  partner: Int32Array
+  /** Contact with each wall (floor, left, right) of each body, -1 without. */
+  wallContact: Int32Array
+}
+
+export function createPairs(): Pairs {
+  return {
+    box: new Float64Array(0),
+    order: new Int32Array(0),
+    sorted: 0,
+    moved: new Uint8Array(0),
+    partner: new Int32Array(0),
+    wallContact: new Int32Array(0),
+  }
+}
+
+export function reservePairs(pairs: Pairs, bodies: number): void {
+  const have = pairs.moved.length
+  if (have >= bodies) return
+  pairs.box = grown(pairs.box, bodies * 4)
+  pairs.order = grown(pairs.order, bodies)
+  pairs.moved = grown(pairs.moved, bodies)
+  pairs.partner = grown(pairs.partner, bodies)
+  pairs.wallContact = grown(pairs.wallContact, bodies * 3)
+  pairs.wallContact.fill(-1, have * 3)
+}
+
+/** Makes body `i` known to the broad phase; its box is made in the next `updatePairs`. */
+export function enterPairs(pairs: Pairs, i: number): void {
+  pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
+  pairs.order[pairs.sorted++] = i
+}
+
+export function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
+  let to = 0
+  for (let k = 0; k < pairs.sorted; k++) if (pairs.order[k] !== i) pairs.order[to++] = pairs.order[k]
+  pairs.sorted = to
+  while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
+  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
+}
+
+/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
+function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
+  const { state, motion, shape } = bodies
+  turn(state, motion, i)
+  const s = i * STATE
+  let c = motion[i * MOTION + COS]
+  let n = motion[i * MOTION + SIN]
+  if (c < 0) c = -c
+  if (n < 0) n = -n
+  const hx = shape[i * SHAPE + HX]
+  const hy = shape[i * SHAPE + HY]
+  const r = shape[i * SHAPE + RADIUS]
+  const ex = hx * c + hy * n + r
+  const ey = hx * n + hy * c + r
+  const goX = state[s + VX] * STEP
+  const goY = state[s + VY] * STEP
+  const left = state[s + X] - ex + (goX < 0 ? goX : 0)
+  const right = state[s + X] + ex + (goX > 0 ? goX : 0)
+  const top = state[s + Y] - ey + (goY < 0 ? goY : 0)
+  const bottom = state[s + Y] + ey + (goY > 0 ? goY : 0)
+  const box = pairs.box
+  const k = i * 4
+  if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
+  box[k] = left - SKIN + (goX < 0 ? goX : 0)
+  box[k + 1] = top - SKIN + (goY < 0 ? goY : 0)
+  box[k + 2] = right + SKIN + (goX > 0 ? goX : 0)
+  box[k + 3] = bottom + SKIN + (goY > 0 ? goY : 0)
+  return true
+}
+
+/** Brings the pair list up to date with the boxes of the `count` bodies listed in `awake`. */
+export function updatePairs(
+  bodies: Bodies,
+  pairs: Pairs,
+  contacts: Contacts,
+  walls: Walls,
+  awake: Int32Array,
+  count: number,
+): void {
+  const { box, order, moved, partner, wallContact } = pairs
+  let any = false
+  for (let a = 0; a < count; a++) {
+    const i = awake[a]
+    if (!outgrown(bodies, pairs, i)) continue
+    moved[i] = 1
+    any = true
+    const k = i * 4
+    for (let w = 0; w < 3; w++) {
+      const near = w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : box[k + 2] > walls.width
+      const have = wallContact[i * 3 + w]
+      if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
+      else if (!near && have >= 0) {
+        removeContact(contacts, have)
+        wallContact[i * 3 + w] = -1
+      }
+    }
+  }
+  if (!any) return
+
+  // Pairs whose boxes have parted.
+  for (let a = 0; a < count; a++) {
+    const i = awake[a]
+    if (moved[i] === 0) continue
+    let edge = contacts.head[i]
+    while (edge >= 0) {
+      const after = contacts.next[edge]
+      const j = contacts.pair[edge ^ 1]
+      if (j > 0 && !overlap(box, i * 4, j * 4)) removeContact(contacts, edge >> 1)
+      edge = after
+    }
+  }
+
+  // Insertion sort: the order hardly changes from one step to the next.
+  const n = pairs.sorted
+  for (let a = 1; a < n; a++) {
+    const i = order[a]
+    const left = box[i * 4]
+    let b = a - 1
+    while (b >= 0 && box[order[b] * 4] > left) {
+      order[b + 1] = order[b]
+      b--
+    }
+    order[b + 1] = i
+  }
+  for (let a = 0; a < n; a++) {
+    const i = order[a]
+    const right = box[i * 4 + 2]
+    const movedI = moved[i]
+    let marked = false
+    for (let b = a + 1; b < n; b++) {
+      const j = order[b]
+      if (box[j * 4] > right) break
+      if (movedI === 0 && moved[j] === 0) continue
+      if (box[i * 4 + 1] > box[j * 4 + 3] || box[j * 4 + 1] > box[i * 4 + 3]) continue
+      if (!marked) {
+        marked = true
+        for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+          partner[contacts.pair[edge ^ 1]] = i
+      }
+      if (partner[j] !== i) addContact(contacts, i < j ? i : j, i < j ? j : i, 0)
+    }
+    // The marks of one body must not outlive it.
+    if (marked)
+      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+        partner[contacts.pair[edge ^ 1]] = 0
+  }
+  for (let a = 0; a < count; a++) moved[awake[a]] = 0
+}
+
+function overlap(box: Float64Array, i: number, j: number): boolean {
+  return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
+}

@@ -1,0 +1,634 @@
+import {
+  type Air,
+  ANGLE,
+  air,
+  createBodies,
+  EXTENT,
+  grown,
+  INV_INERTIA,
+  INV_MASS,
+  MAX_DAMPING,
+  MOTION,
+  NEXT,
+  PUSH_SPIN,
+  PUSH_X,
+  PUSH_Y,
+  reserveBodies,
+  SHAPE,
+  SPIN,
+  STATE,
+  setPose,
+  setShape,
+  turn,
+  VX,
+  VY,
+  WAY,
+  X,
+  Y,
+} from './body'
+import {
+  ANGULAR_DAMPING,
+  BOUNCE,
+  BOUNCE_THRESHOLD,
+  FRICTION,
+  GRAVITY,
+  IMPACT_SPREAD,
+  LINEAR_DAMPING,
+  MARGIN,
+  REFRESH,
+  SLOP,
+  STEP,
+  SUBSTEPS,
+} from './constants'
+import {
+  CONTACT,
+  carry,
+  createContacts,
+  DRAG,
+  LOAD1,
+  LOAD2,
+  measure,
+  NX,
+  NY,
+  POINTS,
+  RATE,
+  REACH,
+  reserveHeads,
+} from './contacts'
+import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, throwVelocity } from './grab'
+import { bounceAll, createImpacts, reserveImpacts } from './impacts'
+import { createIslands, find, findIslands, reserveIslands, rest } from './islands'
+import { createPairs, enterPairs, leavePairs, reservePairs, updatePairs } from './pairs'
+import { capSpeed, kick, move, separate, sweep } from './solver'
+
+export interface WorldOptions {
+  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
+  width: number
+  height: number
+  /** px/s² downwards. */
+  gravity?: number
+  /** Restitution, 0..1. */
+  bounce?: number
+  /** Coulomb coefficient, 0 or more. */
+  friction?: number
+  /** 1/s, drag of the air on velocity and on spin. */
+  linearDamping?: number
+  angularDamping?: number
+  /** px/s of approach below which nothing bounces. */
+  bounceThreshold?: number
+  /** `false` keeps every body awake, for measuring. */
+  sleep?: boolean
+  /** Sub-steps a step of 1/60 s, 1..64. Left out, each island takes what it needs. */
+  substeps?: number
+}
+
+export interface BodyOptions {
+  /** px, outer size and corner radius. */
+  width: number
+  height: number
+  radius?: number
+  /** px, centre; radians clockwise on screen. */
+  x: number
+  y: number
+  angle?: number
+  /** px/s and rad/s. */
+  vx?: number
+  vy?: number
+  spin?: number
+  /** Mass a px². */
+  density?: number
+}
+
+export type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
+
+export interface Reading {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
+export interface Grab {
+  /** Where the pointer is, px, and when it was there, s on any clock. */
+  moveTo(x: number, y: number, seconds: number): void
+  /** Lets go: the body leaves with the pointer's velocity if it kept up, else with its own; at most `MAX_TOSS`. */
+  release(): void
+}
+
+/** What the last call of `step` did, for tests and tools. */
+export interface Stats {
+  steps: number
+  awake: number
+  pairs: number
+  narrow: number
+  contacts: number
+  points: number
+  islands: number
+  substeps: number
+  sweeps: number
+}
+
+export type World = ReturnType<typeof createWorld>
+
+/**
+ * A world of rounded boxes in a stage. Same calls, same bits, in every JavaScript engine.
+ * Values that are not finite are taken as 0 (sizes as 1 px), so that nothing is ever lost.
+ */
+export function createWorld(options: WorldOptions) {
+  const bodies = createBodies()
+  const contacts = createContacts()
+  const pairs = createPairs()
+  const islands = createIslands()
+  const impacts = createImpacts()
+  const walls = { width: size(options.width), height: size(options.height) }
+  const scene = {
+    bodies,
+    contacts,
+    walls,
+    gravity: options.gravity ?? GRAVITY,
+    bounce: options.bounce ?? BOUNCE,
+    friction: options.friction ?? FRICTION,
+    threshold: options.bounceThreshold ?? BOUNCE_THRESHOLD,
+  }
+  const damping = Math.min(MAX_DAMPING, options.linearDamping ?? LINEAR_DAMPING)
+  const spinDamping = Math.min(MAX_DAMPING, options.angularDamping ?? ANGULAR_DAMPING)
+  const airs = new Map<number, { linear: Air; spin: Air }>()
+  const holds: Hold[] = []
+  const freeSlots: number[] = []
+  const stats: Stats = {
+    steps: 0,
+    awake: 0,
+    pairs: 0,
+    narrow: 0,
+    contacts: 0,
+    points: 0,
+    islands: 0,
+    substeps: 0,
+    sweeps: 0,
+  }
+  let densities = new Float64Array(0)
+  let awake = new Int32Array(0)
+  let awakeCount = 0
+  let held = new Uint8Array(0)
+  let undrawn = new Uint8Array(0)
+  /** s, time handed in and not simulated yet. */
+  let left = 0
+
+  function reserve(slots: number): void {
+    reserveBodies(bodies, slots)
+    const capacity = bodies.alive.length
+    if (awake.length >= capacity) return
+    reserveHeads(contacts, capacity)
+    reservePairs(pairs, capacity)
+    reserveIslands(islands, capacity)
+    reserveImpacts(impacts, capacity)
+    awake = grown(awake, capacity)
+    held = grown(held, capacity)
+    undrawn = grown(undrawn, capacity)
+    densities = grown(densities, capacity)
+  }
+
+  function airFor(substeps: number): { linear: Air; spin: Air } {
+    let found = airs.get(substeps)
+    if (!found) {
+      found = { linear: air(damping, STEP / substeps), spin: air(spinDamping, STEP / substeps) }
+      airs.set(substeps, found)
+    }
+    return found
+  }
+
+  // Waking -----------------------------------------------------------------------------------------------------------
+
+  /** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
+  function wake(i: number): void {
+    if (bodies.asleep[i] === 0) return
+    rouse(i)
+    for (let n = awakeCount - 1; n < awakeCount; n++) {
+      for (let edge = contacts.head[awake[n]]; edge >= 0; edge = contacts.next[edge]) {
+        const j = contacts.pair[edge ^ 1]
+        const k = (edge >> 1) * CONTACT
+        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD1] + contacts.data[k + LOAD2] > 0)
+          rouse(j)
+      }
+    }
+  }
+
+  function rouse(i: number): void {
+    bodies.asleep[i] = 0
+    bodies.rest[i * 4 + 3] = 0
+    awake[awakeCount++] = i
+    bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
+  }
+
+  /** Wakes body `i` and all that touch it, whether they carry anything or not. */
+  function disturb(i: number): void {
+    wake(i)
+    bodies.rest[i * 4 + 3] = 0
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(j)
+    }
+  }
+
+  /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
+  function wakeStruck(): void {
+    const { state, motion } = bodies
+    for (let n = 0; n < awakeCount; n++) {
+      const i = awake[n]
+      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+        const j = contacts.pair[edge ^ 1]
+        if (j === 0 || bodies.asleep[j] === 0) continue
+        const c = edge >> 1
+        const k = c * CONTACT
+        const s = i * STATE
+        const speed =
+          Math.abs(state[s + VX]) +
+          Math.abs(state[s + VY]) +
+          bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+        const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
+        if (contacts.data[k + REACH] - motion[i * MOTION + WAY] - motion[j * MOTION + WAY] > go + MARGIN)
+          continue
+        const gap = measure(bodies, contacts, walls, c, MARGIN)
+        stats.narrow++
+        if (contacts.data[k + POINTS] === 0 ? gap < go : gap < -4 * SLOP || closing(c) > IMPACT_SPREAD)
+          wake(j)
+      }
+    }
+  }
+
+  /** px/s, at which the bodies of contact `c` approach along its normal at their centres. */
+  function closing(c: number): number {
+    const s = bodies.state
+    const a = contacts.pair[2 * c] * STATE
+    const b = contacts.pair[2 * c + 1] * STATE
+    const k = c * CONTACT
+    return -(
+      contacts.data[k + NX] * (s[b + VX] - s[a + VX]) +
+      contacts.data[k + NY] * (s[b + VY] - s[a + VY])
+    )
+  }
+
+  // The step ---------------------------------------------------------------------------------------------------------
+
+  function stepOnce(): void {
+    const { state, before } = bodies
+    for (let n = 0; n < awakeCount; n++) {
+      const i = awake[n]
+      undrawn[i] = 1
+      before[i * 3] = state[i * STATE + X]
+      before[i * 3 + 1] = state[i * STATE + Y]
+      before[i * 3 + 2] = state[i * STATE + ANGLE]
+    }
+    updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
+    wakeStruck()
+    findIslands(islands, bodies, contacts, walls, scene.gravity, awake, awakeCount)
+    for (let n = 0; n < islands.count; n++) {
+      const b0 = islands.bodyStart[n]
+      const b1 = islands.bodyStart[n + 1]
+      const c0 = islands.contactStart[n]
+      const c1 = islands.contactStart[n + 1]
+      if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
+      else solve(b0, b1, c0, c1)
+    }
+    stats.steps++
+    stats.islands = islands.count
+    stats.awake = awakeCount
+    if (options.sleep !== false) awakeCount = rest(islands, bodies, contacts, held, awake, awakeCount)
+  }
+
+  /** A body alone in the air: the whole step in closed form. */
+  function fly(i: number): void {
+    const { state, motion } = bodies
+    const { linear, spin } = airFor(1)
+    const s = i * STATE
+    const dx = linear.reach * state[s + VX]
+    const dy = linear.reach * state[s + VY] + scene.gravity * linear.fall
+    const by = spin.reach * state[s + SPIN]
+    state[s + X] += dx
+    state[s + Y] += dy
+    state[s + ANGLE] += by
+    state[s + VX] *= linear.fade
+    state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
+    state[s + SPIN] *= spin.fade
+    motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy) + bodies.shape[i * SHAPE + EXTENT] * Math.abs(by)
+    capSpeed(state, s)
+    turn(state, motion, i)
+  }
+
+  /** One island through the step. */
+  function solve(b0: number, b1: number, c0: number, c1: number): void {
+    const substeps = options.substeps ?? SUBSTEPS
+    const h = STEP / substeps
+    const { linear, spin } = airFor(substeps)
+    warmStart(b0, b1, c0, c1, substeps)
+    for (let n = 0; n < substeps; n++) {
+      refresh(c0, c1)
+      bounceAll(impacts, scene, islands.contacts, c0, c1, h)
+      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
+      for (const hold of holds) if (inIsland(hold, b0)) prepareHold(bodies, hold, h, scene.gravity)
+      for (const hold of holds) if (inIsland(hold, b0)) solveHold(bodies, hold)
+      sweep(bodies, contacts, islands.contacts, c0, c1, h, scene.friction)
+      move(bodies, islands.bodies, b0, b1, h)
+      separate(bodies, contacts, islands.contacts, c0, c1)
+    }
+    stats.substeps += substeps
+    stats.sweeps += substeps
+  }
+
+  /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
+  function warmStart(b0: number, b1: number, c0: number, c1: number, substeps: number): void {
+    const { motion, state, shape } = bodies
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      const m = i * MOTION
+      motion[m + PUSH_X] = 0
+      motion[m + PUSH_Y] = 0
+      motion[m + PUSH_SPIN] = 0
+      const s = i * STATE
+      motion[m + NEXT] =
+        (1.25 *
+          STEP *
+          (Math.abs(state[s + VX]) +
+            Math.abs(state[s + VY]) +
+            shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN]))) /
+        substeps
+    }
+    const d = contacts.data
+    for (let n = c0; n < c1; n++) {
+      const c = islands.contacts[n]
+      const k = c * CONTACT
+      if (d[k + POINTS] > 0 && d[k + LOAD1] + d[k + LOAD2] > 0) {
+        if (d[k + RATE] !== substeps) {
+          const scale = d[k + RATE] / substeps
+          d[k + LOAD1] *= scale
+          d[k + LOAD2] *= scale
+          d[k + DRAG] *= scale
+        }
+        carry(bodies, contacts, c, 1)
+      }
+      d[k + RATE] = substeps
+    }
+    for (const hold of holds) if (inIsland(hold, b0)) carryHold(bodies, hold, substeps)
+  }
+
+  /** Measures again what has moved: a wall at every move, a touching pair after `REFRESH`, others when they may meet. */
+  function refresh(c0: number, c1: number): void {
+    const d = contacts.data
+    const m = bodies.motion
+    for (let n = c0; n < c1; n++) {
+      const c = islands.contacts[n]
+      const k = c * CONTACT
+      const a = contacts.pair[2 * c] * MOTION
+      const b = contacts.pair[2 * c + 1] * MOTION
+      const gone = m[a + WAY] + m[b + WAY]
+      const margin = MARGIN + m[a + NEXT] + m[b + NEXT]
+      const due =
+        d[k + POINTS] > 0
+          ? contacts.wall[c] > 0
+            ? gone > d[k + REACH] - REFRESH
+            : gone > d[k + REACH]
+          : d[k + REACH] - gone < margin
+      if (due) {
+        measure(bodies, contacts, walls, c, margin)
+        stats.narrow++
+      }
+    }
+  }
+
+  /** Whether the body that `hold` holds is in the island that starts at `b0`. */
+  function inIsland(hold: Hold, b0: number): boolean {
+    return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
+  }
+
+  return {
+    stats: stats as Readonly<Stats>,
+
+    /** Adds a body and returns its id. */
+    add(body: BodyOptions): number {
+      const i = freeSlots.pop() ?? bodies.count++
+      reserve(bodies.count)
+      const s = i * STATE
+      densities[i] = positive(body.density, 1)
+      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
+      setPose(bodies, i, finite(body.x), finite(body.y), finite(body.angle))
+      bodies.state[s + VX] = finite(body.vx)
+      bodies.state[s + VY] = finite(body.vy)
+      bodies.state[s + SPIN] = finite(body.spin)
+      capSpeed(bodies.state, s)
+      bodies.motion[i * MOTION + WAY] = 0
+      bodies.alive[i] = 1
+      bodies.asleep[i] = 0
+      held[i] = 0
+      undrawn[i] = 1
+      awake[awakeCount++] = i
+      enterPairs(pairs, i)
+      return i
+    },
+
+    /** Takes body `id` out; what leaned on it wakes. */
+    remove(id: number): void {
+      if (!bodies.alive[id]) return
+      disturb(id)
+      for (let n = holds.length - 1; n >= 0; n--) if (holds[n].body === id) holds.splice(n, 1)
+      leavePairs(pairs, contacts, id)
+      let to = 0
+      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
+      awakeCount = to
+      bodies.alive[id] = 0
+      freeSlots.push(id)
+    },
+
+    /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
+    place(id: number, motion: Motion): void {
+      if (!bodies.alive[id]) return
+      disturb(id)
+      const s = id * STATE
+      const state = bodies.state
+      setPose(
+        bodies,
+        id,
+        finite(motion.x, state[s + X]),
+        finite(motion.y, state[s + Y]),
+        finite(motion.angle, state[s + ANGLE]),
+      )
+      state[s + VX] = finite(motion.vx, state[s + VX])
+      state[s + VY] = finite(motion.vy, state[s + VY])
+      state[s + SPIN] = finite(motion.spin, state[s + SPIN])
+      capSpeed(state, s)
+      forget(id)
+    },
+
+    /** Gives body `id` a new size (px) in place; what it touches wakes. */
+    reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
+      if (!bodies.alive[id]) return
+      disturb(id)
+      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), densities[id])
+      forget(id)
+    },
+
+    /** Moves floor and right wall; what leaned on them wakes. */
+    resize(width: number, height: number): void {
+      if (size(width) === walls.width && size(height) === walls.height) return
+      walls.width = size(width)
+      walls.height = size(height)
+      for (let i = 1; i < bodies.count; i++) {
+        if (!bodies.alive[i]) continue
+        wake(i)
+        bodies.rest[i * 4 + 3] = 0
+        forget(i)
+      }
+    },
+
+    /** Changes gravity (px/s²), bounce or friction; wakes everything. */
+    configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
+      scene.gravity = finite(change.gravity, scene.gravity)
+      scene.bounce = finite(change.bounce, scene.bounce)
+      scene.friction = finite(change.friction, scene.friction)
+      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) wake(i)
+    },
+
+    /** Lets `seconds` pass in fixed steps; what is left over is simulated next time. */
+    step(seconds: number): void {
+      stats.steps = 0
+      stats.awake = 0
+      stats.narrow = 0
+      stats.islands = 0
+      stats.substeps = 0
+      stats.sweeps = 0
+      impacts.sweeps = 0
+      left += seconds > 0 && seconds < Infinity ? seconds : 0
+      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
+      while (left >= STEP * 0.999) {
+        left = Math.max(0, left - STEP)
+        stepOnce()
+      }
+      stats.sweeps += impacts.sweeps
+      count()
+    },
+
+    /** Pose and velocity of body `id`: px, radians, px/s, rad/s. For tests and tools; not used in a loop. */
+    read(id: number): Reading {
+      const s = id * STATE
+      const state = bodies.state
+      return {
+        x: state[s + X],
+        y: state[s + Y],
+        angle: state[s + ANGLE],
+        vx: state[s + VX],
+        vy: state[s + VY],
+        spin: state[s + SPIN],
+        asleep: bodies.asleep[id] === 1,
+      }
+    },
+
+    /** Mass and moment of inertia of body `id`, in units of density·px² and density·px⁴. */
+    mass(id: number): { mass: number; inertia: number } {
+      return {
+        mass: 1 / bodies.state[id * STATE + INV_MASS],
+        inertia: 1 / bodies.state[id * STATE + INV_INERTIA],
+      }
+    },
+
+    /** Takes hold of body `id` at the point (x, y) of the stage. */
+    grab(id: number, x: number, y: number): Grab {
+      const hold = createHold(bodies, id, x, y)
+      disturb(id)
+      held[id]++
+      holds.push(hold)
+      return {
+        moveTo(toX, toY, seconds) {
+          recordHold(hold, finite(toX, hold.x), finite(toY, hold.y), seconds)
+        },
+        release() {
+          const n = holds.indexOf(hold)
+          if (n < 0) return
+          holds.splice(n, 1)
+          held[id]--
+          throwVelocity(bodies, hold)
+        },
+      }
+    },
+
+    /** Calls back with the pose to draw of every body that has moved since the last call. */
+    eachMoved(visit: (id: number, x: number, y: number, angle: number) => void): void {
+      const share = Math.min(1, left / STEP)
+      const { state, before } = bodies
+      for (let i = 1; i < bodies.count; i++) {
+        if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
+        const s = i * STATE
+        if (bodies.asleep[i] === 1) {
+          undrawn[i] = 0
+          visit(i, state[s + X], state[s + Y], state[s + ANGLE])
+        } else {
+          const x = before[i * 3]
+          const y = before[i * 3 + 1]
+          const angle = before[i * 3 + 2]
+          visit(
+            i,
+            x + share * (state[s + X] - x),
+            y + share * (state[s + Y] - y),
+            angle + share * (state[s + ANGLE] - angle),
+          )
+        }
+      }
+    },
+
+    /** True when nothing is awake. */
+    get resting(): boolean {
+      return awakeCount === 0
+    },
+
+    /** Digest of every pose and velocity, bit for bit (FNV-1a). */
+    hash(): string {
+      let hash = 0x811c9dc5
+      for (let i = 1; i < bodies.count; i++) {
+        if (bodies.alive[i] === 0) continue
+        const words = new Uint32Array(bodies.state.slice(i * STATE, i * STATE + 6).buffer)
+        for (const word of words) hash = Math.imul(hash ^ word, 0x01000193)
+      }
+      return (hash >>> 0).toString(16).padStart(8, '0')
+    },
+  }
+
+  /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
+  function forget(i: number): void {
+    pairs.box[i * 4] = Infinity
+    undrawn[i] = 1
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      contacts.data[(edge >> 1) * CONTACT + REACH] = -Infinity
+      contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
+      contacts.data[(edge >> 1) * CONTACT + LOAD1] = 0
+      contacts.data[(edge >> 1) * CONTACT + LOAD2] = 0
+      contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
+    }
+  }
+
+  function count(): void {
+    stats.pairs = 0
+    stats.contacts = 0
+    stats.points = 0
+    for (let c = 0; c < contacts.count; c++) {
+      if (contacts.pair[2 * c + 1] === 0) continue
+      stats.pairs++
+      const points = contacts.data[c * CONTACT + POINTS]
+      if (points > 0) stats.contacts++
+      stats.points += points
+    }
+  }
+}
+
+function finite(value: number | undefined, otherwise = 0): number {
+  return value !== undefined && value - value === 0 ? value : otherwise
+}
+
+function positive(value: number | undefined, otherwise: number): number {
+  return value !== undefined && value > 0 && value < Infinity ? value : otherwise
+}
+
+/** px; a size below 1 px, or none, counts as 1 px. */
+function size(value: number): number {
+  return Math.max(1, Math.min(1e6, finite(value)))
+}
