@@ -553,7 +553,7 @@ export function createWorld(options: WorldOptions) {
     },
 
     /** Calls back with the pose to draw of every body that has moved since the last call. */
-    eachMoved(visit: (id: number, x: number, y: number, angle: number) => void): void {
+    eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const share = Math.min(1, left / STEP)
       const { state, before } = bodies
       for (let i = 1; i < bodies.count; i++) {
@@ -561,7 +561,7 @@ export function createWorld(options: WorldOptions) {
         const s = i * STATE
         if (bodies.asleep[i] === 1) {
           undrawn[i] = 0
-          visit(i, state[s + X], state[s + Y], state[s + ANGLE])
+          visit(i, state[s + X], state[s + Y], state[s + ANGLE], true)
         } else {
           const x = before[i * 3]
           const y = before[i * 3 + 1]
@@ -571,6 +571,7 @@ export function createWorld(options: WorldOptions) {
             x + share * (state[s + X] - x),
             y + share * (state[s + Y] - y),
             angle + share * (state[s + ANGLE] - angle),
+            false,
           )
         }
       }

@@ -1,0 +1,79 @@
+import { STEP } from './constants'
+
+// Where and when each chip starts: the same for the same stage and chips, in every browser.
+// So the scatter is integer hashing and + − × ÷ √ only, and a release falls in the middle of a step of the world:
+// no rounding of frame times can move it to another one.
+
+/** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
+const GOLDEN_SHARE = 0.6180339887498949
+/** Most that a release strays from its place, as a share of the width. */
+const STRAY = 0.05
+/** s, most that a release comes late. */
+const LATE = 0.12
+/** px between the top edge of the stage and the lower edge of a chip: least, and what scatter adds. */
+const CLEARANCE = 24
+const CLEARANCE_SCATTER = 120
+/** rad either way. The release box below takes its sine as 1/4. */
+const TILT = 0.25
+/** px/s either way. */
+const DRIFT = 40
+/** rad/s either way. */
+const TWIST = 1.2
+/** px/s² below which gravity alone would not bring a chip into view, and px/s that it starts with instead. */
+const FAINT_GRAVITY = 100
+const FAINT_SPEED = 240
+
+/** A hash of two integers as a number in [0, 1). Mixing steps: Chris Wellons' lowbias32. */
+export function scatter(index: number, channel: number): number {
+  let n = Math.imul(index * 8 + channel + 1, 0x9e3779b9)
+  n = Math.imul(n ^ (n >>> 16), 0x7feb352d)
+  n = Math.imul(n ^ (n >>> 15), 0x846ca68b)
+  return ((n ^ (n >>> 16)) >>> 0) / 4294967296
+}
+
+/** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
+export function releaseTime(index: number, slot: number): number {
+  return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
+}
+
+/** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
+export interface Obstacle {
+  x: number
+  y: number
+  reach: number
+}
+
+/** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
+export function releasePose(
+  index: number,
+  width: number,
+  height: number,
+  stageWidth: number,
+  gravity: number,
+  obstacles: Obstacle[],
+) {
+  const either = (channel: number) => 2 * scatter(index, channel) - 1
+  const halfWidth = width / 2 + height / 8
+  const halfHeight = height / 2 + width / 8
+  const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
+  const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
+  let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
+  let clear = false
+  while (!clear) {
+    clear = true
+    for (const other of obstacles) {
+      const besides = Math.abs(other.x - x) >= halfWidth + other.reach
+      if (besides || Math.abs(other.y - y) >= halfHeight + other.reach) continue
+      y = other.y - other.reach - halfHeight - 1
+      clear = false
+    }
+  }
+  return {
+    x,
+    y,
+    angle: TILT * either(3),
+    vx: DRIFT * either(4),
+    vy: gravity < FAINT_GRAVITY ? FAINT_SPEED : 0,
+    spin: TWIST * either(5),
+  }
+}

@@ -1,0 +1,141 @@
+import { cn } from 'cn'
+import * as React from 'react'
+import { BOUNCE, FRICTION, GRAVITY } from './constants'
+import { createStage, STAGGER, type Stage } from './stage'
+
+/** What `actionsRef` gives a caller. */
+export interface GravityStackActions {
+  /** Drops all chips anew. */
+  drop: () => void
+  /** Throws the pile into the air. */
+  shake: () => void
+  /** Freezes the chips where they are. */
+  pause: () => void
+  /** Goes on after `pause`. */
+  resume: () => void
+}
+
+export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
+  /** The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. */
+  children?: React.ReactNode
+  /**
+   * Downward acceleration, px/s².
+   * @default 2600
+   */
+  gravity?: number
+  /**
+   * Restitution: the share of its speed that a chip keeps when it bounces, 0 to 1.
+   * @default 0.18
+   */
+  bounce?: number
+  /**
+   * Milliseconds between releases.
+   * @default 150
+   */
+  stagger?: number
+  /**
+   * Lets people grab and toss the chips with a pointer.
+   * @default true
+   */
+  interactive?: boolean
+  /** Forwarded to the stage; sets its height. */
+  className?: string
+  /**
+   * Coulomb friction between chips, and of chips on floor and walls.
+   * @default 0.4
+   */
+  friction?: number
+  /** Called each time the last moving chip has come to rest. */
+  onSettle?: () => void
+  /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
+  actionsRef?: React.Ref<GravityStackActions>
+}
+
+/** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
+function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
+  return React.Children.toArray(children).flatMap((child, i): [string, React.ReactNode][] => {
+    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
+    const key = `${path}/${child.key}`
+    return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
+  })
+}
+
+/**
+ * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss.
+ * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,
+ * so the markup is the same everywhere.
+ */
+export const GravityStack = React.forwardRef(function GravityStack(
+  {
+    children,
+    gravity = GRAVITY,
+    bounce = BOUNCE,
+    stagger = STAGGER,
+    interactive = true,
+    className,
+    friction = FRICTION,
+    onSettle,
+    actionsRef,
+    ...props
+  }: GravityStackProps,
+  ref: React.ForwardedRef<HTMLDivElement>,
+) {
+  const root = React.useRef<HTMLDivElement>(null)
+  const stage = React.useRef<Stage | null>(null)
+
+  React.useEffect(() => {
+    const created = createStage(root.current!)
+    stage.current = created
+    return () => created.destroy()
+  }, [])
+
+  React.useEffect(() => {
+    stage.current!.update({ gravity, bounce, friction, stagger, interactive, onSettle })
+  })
+
+  React.useImperativeHandle(ref, () => root.current!, [])
+  React.useImperativeHandle(
+    actionsRef,
+    () => ({
+      drop: () => stage.current?.drop(),
+      shake: () => stage.current?.shake(),
+      pause: () => stage.current?.pause(),
+      resume: () => stage.current?.resume(),
+    }),
+    [],
+  )
+
+  return (
+    <div
+      {...props}
+      ref={root}
+      data-slot="gravity-stack"
+      data-state="static"
+      className={cn(
+        'group/gravity-stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip p-4 contain-content',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        className,
+      )}
+    >
+      {chipsOf(children).map(([key, chip]) => (
+        <div
+          key={key}
+          data-slot="gravity-stack-chip"
+          data-state="waiting"
+          className={cn(
+            'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
+            'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
+            'group-data-[state=running]/gravity-stack:data-[state=falling]:will-change-transform',
+            'group-data-[state=running]/gravity-stack:data-[state=held]:will-change-transform',
+            'forced-colors:*:not-focus-visible:outline',
+            interactive && 'touch-pan-y touch-pinch-zoom cursor-grab data-[state=held]:cursor-grabbing',
+            interactive && '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+          )}
+        >
+          {chip}
+        </div>
+      ))}
+    </div>
+  )
+})
