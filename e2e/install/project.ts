@@ -42,7 +42,8 @@ export class Project {
 
   /** Runs a command in the project and gives its code and all that it said; never throws. */
   try(command: string, args: string[] = [], env: NodeJS.ProcessEnv = {}): Promise<Outcome> {
-    const { NODE_ENV: _, ...inherited } = process.env
+    // a consumer's shell: no mode of ours, no colours of Playwright's
+    const { NODE_ENV: _mode, FORCE_COLOR: _colour, ...inherited } = process.env
     return new Promise((resolve) => {
       const options = {
         cwd: this.folder,
@@ -52,6 +53,7 @@ export class Project {
           PATH: `${this.path('node_modules/.bin')}:${inherited.PATH}`,
           PWD: this.folder,
           CI: '1',
+          NO_COLOR: '1',
           NEXT_TELEMETRY_DISABLED: '1',
           npm_config_prefer_offline: 'true',
           npm_config_audit: 'false',

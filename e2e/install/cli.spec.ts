@@ -1,0 +1,140 @@
+import { spawn } from 'node:child_process'
+import { readFile } from 'node:fs/promises'
+import { join } from 'node:path'
+import { createInterface } from 'node:readline'
+import { root } from '../../scripts/run.mjs'
+import { siteUrl } from '../../site.config.mjs'
+import { components, expect, item, type Project, test } from './project'
+
+const source = () => readFile(join(root, 'components/ui/gravity-stack.tsx'), 'utf8')
+const file = 'components/ui/gravity-stack.tsx'
+
+/** The least that the CLI takes for a project. */
+const bare = (project: Project) =>
+  project.write({
+    'package.json': { name: 'bare', private: true },
+    'tsconfig.json': { compilerOptions: { paths: { '@/*': ['./*'] } } },
+    'app.css': "@import 'tailwindcss';\n",
+    'components.json': components('app.css', { registries: { '@liten': `${siteUrl}/r/{name}.json` } }),
+  })
+
+test('the namespace @liten lists, finds and shows every item', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  const { items } = JSON.parse(await readFile(join(root, 'registry.json'), 'utf8'))
+
+  const list = await project.shadcn('list', '@liten')
+  for (const { name, type } of items)
+    expect(list).toContain(`@liten/${name} (${type.replace('registry:', '')})`)
+
+  const search = await project.shadcn('search', '@liten', '--query', 'tinted')
+  expect(search).toContain('@liten/gravity-stack-tinted-demo')
+
+  const [shown] = JSON.parse(await project.shadcn('view', '@liten/gravity-stack'))
+  expect(shown.files[0].content).toBe(await source())
+  expect(shown.meta.version).toBe(JSON.parse(await readFile(join(root, 'package.json'), 'utf8')).version)
+})
+
+test('the MCP server finds the examples by name and hands out their code', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  const child = spawn(join(root, 'node_modules/.bin/shadcn'), ['mcp'], { cwd: project.folder })
+  const answers = createInterface({ input: child.stdout })[Symbol.asyncIterator]()
+  const send = (message: object) => child.stdin.write(`${JSON.stringify({ jsonrpc: '2.0', ...message })}\n`)
+  const ask = async (id: number, method: string, params: object) => {
+    send({ id, method, params })
+    for (;;) {
+      const { value } = await answers.next()
+      const message = JSON.parse(value)
+      if (message.id === id) return message.result
+    }
+  }
+  await ask(1, 'initialize', {
+    protocolVersion: '2025-06-18',
+    capabilities: {},
+    clientInfo: { name: 'test', version: '1' },
+  })
+  send({ method: 'notifications/initialized' })
+  const { content } = await ask(2, 'tools/call', {
+    name: 'get_item_examples_from_registries',
+    arguments: { registries: ['@liten'], query: 'gravity-stack-demo' },
+  })
+  child.kill()
+  expect(content[0].text).toContain('<GravityStack className="h-80">')
+})
+
+test('a dry run says what would change and changes nothing', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  const said = await project.shadcn('add', '@liten/gravity-stack', '--dry-run')
+  expect(said).toContain(file)
+  expect(said).toMatch(/\+ motion/)
+  expect(said).toMatch(/\+ cn/)
+  expect(project.has(file)).toBe(false)
+  expect(JSON.parse(await project.read('package.json')).dependencies).toBeUndefined()
+})
+
+test('an example brings the component and its tokens along', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  await project.shadcn('add', '@liten/gravity-stack-elevation-demo', '--yes')
+  expect(await project.read(file)).toBe(await source())
+  expect(await project.read('components/gravity-stack-elevation-demo.tsx')).toBe(
+    await readFile(join(root, 'registry/examples/gravity-stack-elevation-demo.tsx'), 'utf8'),
+  )
+  const css = await project.read('app.css')
+  expect(css).toContain('--color-elevation-4: var(--elevation-4);')
+  expect(css).toMatch(/--shadow-raised-2: inset 0 1px 0 var\(--edge-lit\), .*;/)
+  expect(css).toMatch(/\.dark \{[^}]*--elevation-4: oklch/)
+})
+
+test('an older copy shows what changed, is kept unless told otherwise, and updates with --overwrite', async ({
+  make,
+}) => {
+  const project = await make('bare')
+  await bare(project)
+  const older = (await source()).replace(
+    'export function GravityStack',
+    '// mine\nexport function GravityStack',
+  )
+  await project.write({ [file]: older })
+
+  expect(await project.shadcn('add', '@liten/gravity-stack', '--diff', file)).toMatch(
+    /-\s*\/\/ an edit of mine/,
+  )
+  await project.shadcn('add', '@liten/gravity-stack', '--yes')
+  expect(await project.read(file)).toBe(older)
+  await project.shadcn('add', '@liten/gravity-stack', '--yes', '--overwrite')
+  expect(await project.read(file)).toBe(await source())
+})
+
+test('the repository itself is a registry, by owner, name and item', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  const commit = 'a'.repeat(40)
+  await project.run(
+    join(root, 'node_modules/.bin/shadcn'),
+    ['add', `liten/gravity-stack/gravity-stack#${commit}`, '--yes'],
+    { NODE_OPTIONS: `--import=${join(root, 'e2e/install/github.mjs')}` },
+  )
+  expect(await project.read(file)).toBe(await source())
+})
+
+test('other aliases, such as ~/, are followed in the files that arrive', async ({ make }) => {
+  const project = await make('bare')
+  await bare(project)
+  const aliases = {
+    components: '~/parts',
+    utils: '~/lib/utils',
+    ui: '~/parts/ui',
+    lib: '~/lib',
+    hooks: '~/hooks',
+  }
+  await project.write({
+    'tsconfig.json': { compilerOptions: { paths: { '~/*': ['./*'] } } },
+    'components.json': components('app.css', { aliases }),
+  })
+  await project.shadcn('add', item('gravity-stack-demo'), '--yes')
+  expect(project.has('parts/ui/gravity-stack.tsx')).toBe(true)
+  expect(await project.read('parts/gravity-stack-demo.tsx')).toContain("from '~/parts/ui/gravity-stack'")
+})
