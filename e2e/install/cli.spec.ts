@@ -93,10 +93,7 @@ test('an older copy shows what changed, is kept unless told otherwise, and updat
 }) => {
   const project = await make('bare')
   await bare(project)
-  const older = (await source()).replace(
-    'export function GravityStack',
-    '// mine\nexport function GravityStack',
-  )
+  const older = `${await source()}// an edit of mine\n`
   await project.write({ [file]: older })
 
   expect(await project.shadcn('add', '@liten/gravity-stack', '--diff', file)).toMatch(

@@ -1,3 +1,4 @@
+import { siteUrl, version } from '../../site.config.mjs'
 import { docsCode, expect, expectPile, item, nextProject, test, viteProject } from './project'
 
 test('a new Vite project has a falling pile one command later', async ({ make, page }) => {
@@ -5,7 +6,10 @@ test('a new Vite project has a falling pile one command later', async ({ make, p
   await viteProject(project)
   await project.shadcn('add', item('gravity-stack'), '--yes')
 
-  expect(project.has('src/components/ui/gravity-stack.tsx')).toBe(true)
+  const file = await project.read('src/components/ui/gravity-stack.tsx')
+  expect(file, 'the owner reads which version it is, and where its docs are').toContain(
+    `Gravity Stack ${version} · ${siteUrl}/docs/gravity-stack`,
+  )
   const { dependencies } = JSON.parse(await project.read('package.json'))
   expect(Object.keys(dependencies)).toEqual(expect.arrayContaining(['cn', 'motion']))
 
