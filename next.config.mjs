@@ -2,6 +2,7 @@
 export default {
   output: 'export',
   reactStrictMode: true,
-  // The registry's and benchmark's tooling lives in this tree too; only this folder is the site's root.
+  serverExternalPackages: ['esbuild', 'react-docgen', 'shiki'],
+  // This folder is the root, also when a folder above holds a lock file.
   turbopack: { root: import.meta.dirname },
 }

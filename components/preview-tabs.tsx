@@ -49,7 +49,7 @@ export function PreviewTabs({
         )}
       </div>
       <div className="grid min-w-0 grid-cols-[minmax(0,1fr)] *:col-start-1 *:row-start-1">
-        <div {...panel('preview')} className={cn('bg-stage', tab !== 'preview' && 'invisible')}>
+        <div {...panel('preview')} className={cn('mb-3 border-b bg-stage', tab !== 'preview' && 'invisible')}>
           <Fragment key={drop}>{children}</Fragment>
         </div>
         <div {...panel('code')} className={cn('relative', tab !== 'code' && 'invisible')}>

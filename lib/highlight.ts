@@ -6,9 +6,12 @@ const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx', 'bas
 
 export type CodeLanguage = 'tsx' | 'bash' | 'json' | 'css'
 
-/** Code in, the HTML of a `<pre>` out. Runs at build time only. */
+/** Code in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
 export async function highlight(code: string, lang: CodeLanguage = 'tsx'): Promise<string> {
   const html = (await highlighter).codeToHtml(code.trimEnd(), { lang, theme: codeTheme })
-  // The theme's own background would hide the box that the code stands in.
-  return html.replace(/<pre class="[^"]*" style="[^"]*"/, '<pre')
+  return html
+    .replace(/<pre [^>]*>/, '<pre tabindex="0">')
+    .replace(/<span class="line">(.*?)<\/span>$/gm, '$1')
+    .replace(/<span style="color:var\(--code-foreground\)">(.*?)<\/span>/g, '$1')
+    .replace(/ style="color:var\(--code-([\w-]+)\)"/g, ' class="$1"')
 }

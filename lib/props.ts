@@ -9,14 +9,16 @@ export type Prop = { name: string; type: string; fallback?: string; description:
  * no words or when its `@default` is not the one in the code.
  */
 export function readProps(): Prop[] {
-  const component = parse(componentSource(), { filename: componentFile }).find(
+  const source = componentSource()
+  const component = parse(source, { filename: componentFile }).find(
     (found) => found.displayName === 'GravityStack',
   )
   if (!component?.props) throw new Error(`${componentFile} exports no GravityStack with typed props`)
 
   return Object.entries(component.props).map(([name, prop]) => {
     const [description, written] = (prop.description ?? '').split(/^@default\s+/m).map((part) => part.trim())
-    const used = prop.defaultValue?.value
+    const inCode = prop.defaultValue?.value
+    const used = source.match(new RegExp(`^const ${inCode} = (.+)$`, 'm'))?.[1] ?? inCode
     if (!description) throw new Error(`GravityStackProps.${name} has no description`)
     if (used !== undefined && written !== used) {
       throw new Error(`GravityStackProps.${name} says @default ${written}, the code says ${used}`)

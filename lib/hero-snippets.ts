@@ -1,0 +1,28 @@
+/** What the buttons of the home page do, as the code that does it. */
+export const heroEffects = ['drop', 'shake', 'tinted', 'neutral', 'heavier', 'bouncier'] as const
+
+export type HeroEffect = (typeof heroEffects)[number]
+
+const withActions = (call: string, label: string) => `const stack = useRef<GravityStackActions>(null)
+
+<GravityStack actionsRef={stack} className="h-96">{chips}</GravityStack>
+<button type="button" onClick={() => stack.current?.${call}()}>${label}</button>`
+
+const withChip = (className: string) => `<GravityStack className="h-96">
+  {words.map((word) => (
+    <span key={word} className="${className}">{word}</span>
+  ))}
+</GravityStack>`
+
+const withProp = (prop: string) => `<GravityStack ${prop} className="h-96">
+  {chips}
+</GravityStack>`
+
+export const heroSnippets: Record<HeroEffect, string> = {
+  drop: withActions('drop', 'Drop again'),
+  shake: withActions('shake', 'Shake'),
+  tinted: withChip('rounded-full bg-amber-300 px-5 py-2 text-amber-950'),
+  neutral: withChip('rounded-full bg-elevation-3 px-5 py-2 shadow-raised-3'),
+  heavier: withProp('gravity={6000}'),
+  bouncier: withProp('bounce={0.7}'),
+}
