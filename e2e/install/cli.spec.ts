@@ -44,8 +44,7 @@ test('the MCP server finds the examples by name and hands out their code', async
   const ask = async (id: number, method: string, params: object) => {
     send({ id, method, params })
     for (;;) {
-      const { value } = await answers.next()
-      const message = JSON.parse(value)
+      const message = JSON.parse((await answers.next()).value ?? '{}')
       if (message.id === id) return message.result
     }
   }

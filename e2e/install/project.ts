@@ -41,7 +41,7 @@ export class Project {
   }
 
   /** Runs a command in the project and gives its code and all that it said; never throws. */
-  try(command: string, args: string[] = [], env: NodeJS.ProcessEnv = {}): Promise<Outcome> {
+  try(command: string, args: string[] = [], env: Record<string, string> = {}): Promise<Outcome> {
     // a consumer's shell: no mode of ours, no colours of Playwright's
     const { NODE_ENV: _mode, FORCE_COLOR: _colour, ...inherited } = process.env
     return new Promise((resolve) => {
@@ -70,7 +70,7 @@ export class Project {
   }
 
   /** Runs a command that has to end well, and gives what it said. */
-  run(command: string, args: string[] = [], env: NodeJS.ProcessEnv = {}): Promise<string> {
+  run(command: string, args: string[] = [], env: Record<string, string> = {}): Promise<string> {
     return base.step(`${command} ${args.join(' ')}`, async () => {
       const { code, output } = await this.try(command, args, env)
       expect(code, `${command} ${args.join(' ')}\n${output}`).toBe(0)
