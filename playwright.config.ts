@@ -3,6 +3,9 @@ import { defineConfig } from '@playwright/test'
 import { findBrowser } from './scripts/browser.mjs'
 import { siteUrl } from './site.config.mjs'
 
+const fixturesUrl = 'http://localhost:4310'
+const reuseExistingServer = !process.env.CI
+
 export default defineConfig({
   testDir: 'e2e',
   fullyParallel: true,
@@ -15,12 +18,13 @@ export default defineConfig({
     trace: 'retain-on-failure',
   },
   projects: [
-    { name: 'component', testMatch: /e2e\/(?!site)[^/]*\.spec\.ts$/ },
-    { name: 'site', testMatch: /e2e\/site[^/]*\.spec\.ts$/ },
-    { name: 'install', testMatch: /e2e\/install\/[^/]*\.spec\.ts$/, timeout: 300_000 },
+    { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: fixturesUrl } },
+    { name: 'site', testMatch: 'site*.spec.ts' },
+    { name: 'install', testMatch: 'install/*.spec.ts', timeout: 300_000 },
   ],
-  // The component's own tests need no built site.
-  webServer: existsSync('out')
-    ? { command: 'node scripts/serve.mjs', url: siteUrl, reuseExistingServer: !process.env.CI }
-    : undefined,
+  webServer: [
+    { command: 'node e2e/fixtures/server.mjs', url: fixturesUrl, reuseExistingServer },
+    // The component's own tests need no built site.
+    ...(existsSync('out') ? [{ command: 'node scripts/serve.mjs', url: siteUrl, reuseExistingServer }] : []),
+  ],
 })

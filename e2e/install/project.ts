@@ -59,7 +59,7 @@ export class Project {
           npm_config_audit: 'false',
           npm_config_fund: 'false',
           ...env,
-        } as NodeJS.ProcessEnv,
+        } as Record<string, string> as NodeJS.ProcessEnv,
       }
       const child = execFile(command, args, options, (error, stdout, stderr) => {
         const code = typeof error?.code === 'number' ? error.code : error ? 1 : 0
