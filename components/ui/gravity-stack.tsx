@@ -35,18 +35,18 @@ const MAX_SPEED = 3600
 /** s, the fixed step. Frames of any length are cut into these, so that the pile never depends on the display. */
 const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
-const SUBSTEPS = 8
+const SUBSTEPS = env('SUB', 8)
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 const SLOP = 0.005
 /** Share of the remaining overlap that one position sweep takes out. */
-const PUSH = 0.5
+const PUSH = env('PU', 0.5)
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 const MAX_PUSH = 4
 /** px, gap below which a pair is handed to the solver before it touches. */
 const MARGIN = 0.5
 /** px of motion after which a touching pair is measured again. */
-const REFRESH = Number((globalThis as any).process?.env.RF ?? 0.1)
+const REFRESH = env('RF', 0.1)
 /** px by which a broad-phase box is larger than its chip. */
 const SKIN = 8
 
@@ -69,6 +69,18 @@ const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 100
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
+
+function env(name: string, value: number): number {
+  return Number((globalThis as any).process?.env?.[name] ?? value)
+}
+const GB = env('GB', 0.1)
+const LEAK = env('LEAK', 0)
+const BLEND = env('BLEND', 0.5)
+const CAP = env('CAP', 8)
+const SWEEPS = env('SW', 2)
+const TOLERANCE = env('TOL', 2)
+const IMPACT_REL = env('IR', 0)
+const SPREAD_REL = env('SR', 0)
 
 // drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
 
@@ -2149,7 +2161,6 @@ function sweep(
   const pair = contacts.pair
   const perH = 1 / h
   let most = 0
-  const GB = Number((globalThis as any).process?.env.GB ?? 0.1)
   for (let i = from; i < to; i++) {
     const c = list[i]
     const k = c * CONTACT
@@ -2327,7 +2338,7 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
     let sum = 0
     let gap = d[k + BASE1] + across + nb1 * angleB - na1 * angleA
     if (gap < -SLOP) {
-      const want = Number((globalThis as any).process?.env.PU ?? PUSH) * (-SLOP - gap)
+      const want = PUSH * (-SLOP - gap)
       sum = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K11]
       angleA -= iia * na1 * sum
       angleB += iib * nb1 * sum
@@ -2338,7 +2349,7 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
       across += sum * (s[a + INV_MASS] + s[b + INV_MASS])
       gap = d[k + BASE2] + across + nb2 * angleB - na2 * angleA
       if (gap < -SLOP) {
-        const want = Number((globalThis as any).process?.env.PU ?? PUSH) * (-SLOP - gap)
+        const want = PUSH * (-SLOP - gap)
         const p = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K22]
         angleA -= iia * na2 * p
         angleB += iib * nb2 * p
@@ -2628,11 +2639,10 @@ function createWorld(options: WorldOptions) {
       kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
       for (const hold of holds) if (inIsland(hold, b0)) prepareHold(bodies, hold, h, scene.gravity)
       for (const hold of holds) if (inIsland(hold, b0)) solveHold(bodies, hold)
-      const E2 = (globalThis as any).process?.env ?? {}
       let q = 0
-      while (q++ < Number(E2.SW ?? 2)) {
+      while (q++ < SWEEPS) {
         stats.sweeps++
-        if (sweep(bodies, contacts, islands.contacts, c0, c1, h, scene.friction) < Number(E2.TOL ?? 2)) break
+        if (sweep(bodies, contacts, islands.contacts, c0, c1, h, scene.friction) < TOLERANCE) break
       }
       move(bodies, islands.bodies, b0, b1, h)
       separate(bodies, contacts, islands.contacts, c0, c1)
@@ -2671,17 +2681,14 @@ function createWorld(options: WorldOptions) {
           d[k + MEAN1] *= scale
           d[k + MEAN2] *= scale
         }
-        const E = (globalThis as any).process?.env ?? {}
-        const LEAK = Number(E.LEAK ?? 0.15),
-          BLEND = Number(E.BLEND ?? 0.5),
-          CAP = Number(E.CAP ?? 1e9)
-        for (let p = 0; p < 2; p++) {
-          const l = d[k + LOAD1 + p]
-          const off = l - d[k + MEAN1 + p]
-          d[k + MEAN1 + p] += BLEND * off
-          const cap = CAP / d[k + K11 + p]
-          d[k + LOAD1 + p] = l - Math.max(-cap, Math.min(cap, LEAK * off))
-        }
+        if (LEAK > 0)
+          for (let p = 0; p < 2; p++) {
+            const l = d[k + LOAD1 + p]
+            const off = l - d[k + MEAN1 + p]
+            d[k + MEAN1 + p] += BLEND * off
+            const cap = CAP / d[k + K11 + p]
+            d[k + LOAD1 + p] = l - Math.max(-cap, Math.min(cap, LEAK * off))
+          }
         carry(bodies, contacts, c, 1)
       }
       d[k + RATE] = substeps
@@ -3376,6 +3383,7 @@ function createStage(root: HTMLElement): Stage {
         if (!queue.includes(chip)) return
         started = true
         chip.due = clock
+        awaited = undefined
         queue.sort((a, b) => a.due - b.due)
         sync()
       },

@@ -58,15 +58,11 @@ export function releasePose(
   const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
   const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
   let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
-  let clear = false
-  while (!clear) {
-    clear = true
-    for (const other of obstacles) {
-      const besides = Math.abs(other.x - x) >= halfWidth + other.reach
-      if (besides || Math.abs(other.y - y) >= halfHeight + other.reach) continue
+  // From the lowest top to the highest: whatever has been cleared once stays clear.
+  obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
+  for (const other of obstacles) {
+    if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
       y = other.y - other.reach - halfHeight - 1
-      clear = false
-    }
   }
   return {
     x,

@@ -150,7 +150,7 @@ function pointerMap(root: HTMLElement) {
 
 export function createStage(root: HTMLElement): Stage {
   const page = root.ownerDocument
-  const still = matchMedia(STILL)
+  const still = page.defaultView!.matchMedia(STILL)
   const chips = new Map<Node, Chip>()
   const presses = new Map<number, Press>()
   /** Chips whose release is to come, the next one first. */
@@ -170,6 +170,8 @@ export function createStage(root: HTMLElement): Stage {
   let last: number | undefined
   let turns = 0
   let slot = 0
+  /** The chip whose release a timer waits for. */
+  let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
@@ -232,15 +234,18 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function shape(chip: Chip, chipWidth: number, chipHeight: number) {
-    chip.width = chipWidth * chipHeight && chipWidth
-    chip.height = chipHeight
-    if (!chip.width) {
+    if (!(chipWidth * chipHeight)) {
       if (process.env.NODE_ENV !== 'production')
         warn(
-          'A chip has no size, so it can’t fall. It will as soon as it has one: give it content, or a width and height.',
+          'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
         )
+      chip.width = 0
       return withdraw(chip)
     }
+    if (process.env.NODE_ENV !== 'production' && (chipWidth > width || chipHeight > height) && width * height)
+      warn(
+        'a chip is larger than its stage and can’t be seen whole. Make the chip smaller or the stage larger.',
+      )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = getComputedStyle(chip.element.firstElementChild ?? chip.element).borderRadius.split(
       /[ /]+/,
@@ -250,6 +255,9 @@ export function createStage(root: HTMLElement): Stage {
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (corner.endsWith('%') ? short / 100 : 1)),
       short / 2,
     )
+    if (chip.width === chipWidth && chip.height === chipHeight && chip.radius === radius) return
+    chip.width = chipWidth
+    chip.height = chipHeight
     chip.radius = radius
     if (chip.id >= 0) {
       world!.reshape(chip.id, { width: chipWidth, height: chipHeight, radius })
@@ -356,35 +364,42 @@ export function createStage(root: HTMLElement): Stage {
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
-    const idle = !world || (world.resting && !presses.size)
+    const idle = !world || world.resting
     const next = still.matches
       ? 'static'
       : !started || !world
         ? 'waiting'
-        : idle && !queue.length
-          ? 'resting'
-          : stopped || !inView || page.hidden || !(width * height)
-            ? 'paused'
-            : 'running'
-    clearTimeout(timer)
-    const frames = next === 'running' && !idle
-    if (frames) frame.render(tick, true)
+        : stopped
+          ? 'paused'
+          : idle && !queue.length
+            ? 'resting'
+            : inView && !page.hidden && width * height
+              ? 'running'
+              : 'paused'
+    const running = next === 'running'
+    if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)
       last = undefined
     }
-    if (next === 'running' && idle) {
-      const wait = Math.max(queue[0].due - clock, 0)
-      timer = setTimeout(() => {
-        advance(wait)
-        sync()
-      }, wait * 1000)
+    // Nothing moves before the next release: a timer is enough until then.
+    const upcoming = running && idle ? queue[0] : undefined
+    if (upcoming !== awaited) {
+      awaited = upcoming
+      clearTimeout(timer)
+      if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
     }
-    if (next !== 'running' && next !== 'resting') for (const pointer of presses.keys()) letGo(pointer)
+    if (!running && next !== 'resting') for (const pointer of presses.keys()) letGo(pointer)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     root.dataset.state = state = next
     if (settled) options.onSettle?.()
+  }
+
+  function arrive() {
+    awaited = undefined
+    advance(Math.max(queue[0].due - clock, 0))
+    sync()
   }
 
   function stillChanged() {
@@ -413,6 +428,7 @@ export function createStage(root: HTMLElement): Stage {
         if (!queue.includes(chip)) return
         started = true
         chip.due = clock
+        awaited = undefined
         queue.sort((a, b) => a.due - b.due)
         sync()
       },

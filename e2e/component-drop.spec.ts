@@ -1,0 +1,70 @@
+import { expect, test } from './fixtures/stage'
+
+for (const chips of [12, 40, 60]) {
+  test(`${chips} chips pour into the stage, lie still within 6 s, and no word covers another`, async ({
+    stage,
+  }) => {
+    await stage.settled('pile', { chips, shape: 'all' })
+    expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+    expect(await stage.probe((probe) => probe.settling)).toBeLessThan(6)
+    expect(await stage.overlap()).toBeLessThan(1)
+    expect(await stage.during('frames')).toBe(0)
+    expect(await stage.during('styleWrites')).toBe(0)
+  })
+}
+
+test('the drop waits until a quarter of the stage is in view', async ({ stage, page }) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('pile', { above: 900, below: 900 })
+  await stage.reaches('static')
+  await page.mouse.wheel(0, 300 + 340 * 0.2)
+  await stage.reaches('waiting')
+  expect(new Set(await stage.states())).toEqual(new Set(['waiting']))
+  await page.mouse.wheel(0, 340 * 0.1)
+  await stage.reaches('running')
+  await stage.reaches('resting')
+})
+
+test('a chip that waits for its release can’t be seen or pressed', async ({ stage, page }) => {
+  await stage.open('pile', { stagger: 60000, chips: 4 })
+  await stage.reaches('running')
+  const hit = await stage.chips.last().evaluate((chip) => {
+    const box = chip.getBoundingClientRect()
+    const { top } = chip.parentElement!.getBoundingClientRect()
+    return box.bottom > top
+  })
+  expect(hit).toBe(false)
+  expect(
+    await page.evaluate(() =>
+      document.elementsFromPoint(320, 2).some((at) => at.closest('[data-state=waiting]')),
+    ),
+  ).toBe(false)
+})
+
+test('the same chips land in the same places at every visit', async ({ stage }) => {
+  await stage.settled('pile', { shape: 'all', chips: 16 })
+  const first = await stage.pile()
+  await stage.page.reload()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  const second = await stage.pile()
+  // A chip is drawn to within a seventh of a pixel of where it lies.
+  for (const [i, { x, y }] of second.poses.entries()) {
+    expect(Math.hypot(x - first.poses[i].x, y - first.poses[i].y)).toBeLessThan(0.3)
+  }
+})
+
+test('chips fall one by one, first come first', async ({ stage }) => {
+  await stage.open('pile', { stagger: 400, chips: 3 })
+  await expect(stage.chips.nth(0)).toHaveAttribute('data-state', 'falling')
+  expect(await stage.states()).toEqual(['falling', 'waiting', 'waiting'])
+  await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'falling')
+  await expect(stage.chips.nth(2)).toHaveAttribute('data-state', 'falling')
+})
+
+test('chips collide as what they look like: pills, boxes, rounded boxes, discs', async ({ stage }) => {
+  for (const shape of ['pill', 'box', 'rounded', 'disc', 'tall']) {
+    await stage.settled('pile', { shape, chips: 20 })
+    expect(await stage.overlap(), shape).toBeLessThan(1)
+  }
+})
