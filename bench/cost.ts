@@ -2,10 +2,12 @@
 //   npx tsx bench/cost.ts [--engine ours] [--against box2d3-wasm-simd] [--chips 12,60,250,1000] [--substeps 4,8]
 //                         [--kind pills|badges|mixed] [--rounds 3] [--ms 400]
 import { parseArgs } from 'node:util'
-import { bundleChild, type Contestant, type Cost, measureCost, medianCost } from './cost-runs'
+import type { Kind } from '../scenes/piles'
 import { settingName } from './engine'
 import { loadEngine } from './engines'
 import { median } from './film'
+import { type Cost, medianCost } from './job'
+import { bundleChild, runJob } from './run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -25,29 +27,39 @@ const settings = options.substeps
   ? options.substeps.split(',').map((substeps) => ({ substeps: Number(substeps) }))
   : [(await loadEngine(options.engine)).settings[0]]
 
-const heading = ['pour', 'settled', 'mean', 'p95', 'worst'].map((name) => name.padStart(9)).join('')
-const ratioHeading = ['pour', 'settled', 'mean'].map((name) => name.padStart(9)).join('')
-console.log(`µs per frame, ${options.kind}, ${' '.repeat(18)}${heading}    ratio:${ratioHeading}`)
+const phases = ['pour', 'settled', 'mean', 'p95', 'worst'] as const
+const compared = ['pour', 'settled', 'mean'] as const
+const heading = phases.map((name) => name.padStart(9)).join('')
+const ratioHeading = compared.map((name) => name.padStart(9)).join('')
+console.log(`${`µs per frame, ${options.kind}`.padEnd(43)}${heading}    ratio:${ratioHeading}`)
 
 for (const chips of options.chips.split(',').map(Number)) {
-  const contestants: Contestant[] = [
-    { engine: options.against, setting: reference, chips, kind: options.kind },
-    ...settings.map((setting) => ({ engine: options.engine, setting, chips, kind: options.kind })),
+  const contestants = [
+    { engine: options.against, setting: reference },
+    ...settings.map((setting) => ({ engine: options.engine, setting })),
   ]
   const rounds: Cost[][] = contestants.map(() => [])
   for (let round = 0; round < Number(options.rounds); round++) {
-    contestants.forEach((contestant, i) => {
-      rounds[i].push(measureCost(child, contestant, Number(options.ms)))
-    })
+    for (const [i, contestant] of contestants.entries()) {
+      const cost = await runJob(child, {
+        kind: 'pour cost',
+        ...contestant,
+        chips,
+        shape: options.kind as Kind,
+        milliseconds: Number(options.ms),
+      })
+      if (cost) rounds[i].push(cost)
+    }
   }
-  const costs = rounds.map(medianCost)
   contestants.forEach((contestant, i) => {
-    const { pour, settled, mean, p95, worst } = costs[i]
-    const cells = [pour, settled, mean, p95, worst].map((value) => value.toFixed(1).padStart(9)).join('')
+    const cost = medianCost(rounds[i])
+    const cells = phases.map((phase) => cost[phase].toFixed(1).padStart(9)).join('')
     // Ratios within a round, then their median: what slows the machine down slows both alike.
-    const ratio = (key: 'pour' | 'settled' | 'mean') =>
-      median(rounds[i].map((cost, round) => cost[key] / rounds[0][round][key]))
-    const ratios = (['pour', 'settled', 'mean'] as const).map((key) => ratio(key).toFixed(2).padStart(9))
+    const ratios = compared.map((phase) =>
+      median(rounds[i].map((own, round) => own[phase] / rounds[0][round][phase]))
+        .toFixed(2)
+        .padStart(9),
+    )
     const name = `${contestant.engine} ${settingName(contestant.setting)}`
     const label = `${String(chips).padStart(5)}  ${name.padEnd(36)}`
     console.log(`${label}${cells}${i === 0 ? '' : `          ${ratios.join('')}`}`)

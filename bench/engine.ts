@@ -21,8 +21,8 @@ export type Engine = {
   /** every setting of its natural knobs, the default first */
   settings: Setting[]
   load(): Promise<void>
-  /** Everything stays awake, so that what is measured is the solver and not its sleep. */
-  start(scene: Scene, chips: Chip[], setting: Setting): Run
+  /** Without `sleep` everything stays awake, so that what is measured is the solver and not its sleep. */
+  start(scene: Scene, chips: Chip[], setting: Setting, sleep: boolean): Run
 }
 
 /** px per metre for engines that think in metres: a label chip is then a third of a metre high. */

@@ -35,7 +35,8 @@ for (const name of options.engine.split(',')) {
     ? options.substeps.split(',').map((substeps) => ({ ...engine.settings[0], substeps: Number(substeps) }))
     : [engine.settings[0]]
   console.log(`\n${engine.name}`)
-  const heading = settings.map((setting) => settingName(setting).padStart(13)).join('')
+  const width = Math.max(13, ...settings.map((setting) => settingName(setting).length + 2))
+  const heading = settings.map((setting) => settingName(setting).padStart(width)).join('')
   console.log(
     `${'scene'.padEnd(18)}${'measure'.padEnd(17)}${'unit'.padEnd(9)}${'target'.padStart(8)}${heading}`,
   )
@@ -51,7 +52,7 @@ for (const name of options.engine.split(',')) {
     scene.measures.forEach((measure, i) => {
       const cells = columns.map((errors) => {
         const good = measure.target === undefined ? ' ' : errors[i] <= measure.target ? '✓' : '✗'
-        return `${short(errors[i])} ${good}`.padStart(13)
+        return `${short(errors[i])} ${good}`.padStart(width)
       })
       const label = i === 0 ? scene.name : ''
       const target = measure.target === undefined ? '' : short(measure.target)

@@ -1,10 +1,10 @@
 import { Film, type Scene } from '../scenes/scene'
 import type { Engine, Setting } from './engine'
 
-/** Runs a scene and keeps every frame. A run that throws or loses a chip to NaN is filmed as NaN from there on. */
+/** Runs a scene and keeps every frame, and what the engine says it did per frame. */
 export function filmScene(engine: Engine, scene: Scene, setting: Setting, seed = 1) {
   const film = new Film(scene, scene.build(seed))
-  const run = engine.start(scene, film.chips, setting)
+  const run = engine.start(scene, film.chips, setting, false)
   let work: Record<string, number> = {}
   try {
     for (let k = 1; k <= film.frames; k++) {

@@ -35,11 +35,11 @@ function box2d(name: string, build: keyof typeof builds): Engine {
       const { default: factory } = (await builds[build]()) as { default: () => Promise<Box2D> }
       b2 ??= await factory()
     },
-    start(scene, chips, setting) {
+    start(scene, chips, setting, sleep) {
       const { conditions } = scene
       const worldDef = b2.b2DefaultWorldDef()
       worldDef.gravity.Set(0, conditions.gravity / ppm)
-      worldDef.enableSleep = false
+      worldDef.enableSleep = sleep
       worldDef.restitutionThreshold = conditions.bounceThreshold / ppm
       if (setting.hertz) worldDef.contactHertz = setting.hertz
       const world = b2.b2CreateWorld(worldDef)

@@ -7,12 +7,12 @@ export const ours: Engine = {
   packages: [],
   settings: [{}, { substeps: 2 }, { substeps: 4 }, { substeps: 8 }, { substeps: 16 }, { substeps: 32 }],
   async load() {},
-  start(scene, chips, setting) {
+  start(scene, chips, setting, sleep) {
     const world = createWorld({
       width: scene.width,
       height: scene.height,
       ...scene.conditions,
-      sleep: false,
+      sleep,
       ...(setting.substeps ? { substeps: setting.substeps } : {}),
     })
     const ids = chips.map((chip) => world.add(chip))

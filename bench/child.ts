@@ -1,0 +1,134 @@
+// Does one job of the benchmark in a process of its own: shared compiled code would blur the figures.
+// Takes the job as JSON, prints its outcome as JSON on the last line.
+import { sceneNamed } from '../scenes'
+import { type Kind, pourChips, pourStage } from '../scenes/piles'
+import { conditions, type Scene } from '../scenes/scene'
+import type { Engine, Setting } from './engine'
+import { loadEngine } from './engines'
+import { median, sceneErrors } from './film'
+import { type Cost, type Job, medianCost } from './job'
+
+const frames = 240
+const pourFrames = 90
+const settledFrom = 180
+
+function pourScene(chips: number, shape: Kind = 'pills'): Scene {
+  return {
+    name: 'pour',
+    title: '',
+    ...pourStage(chips),
+    seconds: 4,
+    conditions,
+    seeds: 1,
+    build: (seed) => pourChips(shape, chips, seed),
+    measures: [],
+    measure: () => [],
+  }
+}
+
+function mean(values: Float64Array) {
+  return values.reduce((sum, value) => sum + value, 0) / values.length
+}
+
+function quantile(values: Float64Array, q: number) {
+  return values.slice().sort()[Math.min(values.length - 1, Math.floor(q * values.length))]
+}
+
+/** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
+function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost {
+  const scene = pourScene(job.chips, job.shape)
+  const times = new Float64Array(frames)
+  const pour = (seed: number) => {
+    const run = engine.start(scene, scene.build(seed), job.setting, false)
+    for (let k = 0; k < frames; k++) {
+      const start = performance.now()
+      run.step()
+      times[k] = (performance.now() - start) * 1000
+    }
+    run.free()
+  }
+  const warmUntil = performance.now() + job.milliseconds / 3
+  let warm = 0
+  do pour(101 + (warm++ % 3))
+  while (performance.now() < warmUntil && warm < 40)
+  const costs: Cost[] = []
+  const until = performance.now() + job.milliseconds
+  let seed = 0
+  do {
+    pour(1 + (seed++ % 12))
+    costs.push({
+      mean: mean(times),
+      pour: mean(times.subarray(0, pourFrames)),
+      settled: mean(times.subarray(settledFrom)),
+      p50: quantile(times, 0.5),
+      p95: quantile(times, 0.95),
+      worst: quantile(times, 1),
+    })
+  } while (performance.now() < until && seed < 60)
+  return medianCost(costs)
+}
+
+/** Microseconds per frame over a whole scene, for each setting; settings take turns. */
+function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
+  const scene = sceneNamed(job.scene)
+  const frameCount = Math.round(scene.seconds * 60)
+  const costs: number[][] = job.settings.map(() => [])
+  const play = (setting: Setting, seed: number) => {
+    const run = engine.start(scene, scene.build(seed), setting, false)
+    const start = performance.now()
+    for (let k = 0; k < frameCount; k++) run.step()
+    const cost = ((performance.now() - start) * 1000) / frameCount
+    run.free()
+    return cost
+  }
+  const share = job.milliseconds / job.settings.length
+  job.settings.forEach((setting, i) => {
+    const start = performance.now()
+    do play(setting, 1)
+    while (performance.now() - start < share / 3)
+    const begin = performance.now()
+    let seed = 0
+    do costs[i].push(play(setting, 1 + (seed++ % scene.seeds)))
+    while (performance.now() - begin < share && seed < 200)
+  })
+  return costs.map(median)
+}
+
+/** Microseconds per frame once the engine has put everything to sleep, in the 20th second after a pour. */
+function asleepCost(engine: Engine, job: Extract<Job, { kind: 'asleep' }>) {
+  const scene = pourScene(job.chips)
+  const run = engine.start(scene, scene.build(1), job.setting, true)
+  for (let k = 0; k < 20 * 60; k++) run.step()
+  const start = performance.now()
+  for (let k = 0; k < 120; k++) run.step()
+  return ((performance.now() - start) * 1000) / 120
+}
+
+/** Bytes of JavaScript heap taken per frame of a pour; needs --expose-gc and a young generation that holds them. */
+function allocation(engine: Engine, job: Extract<Job, { kind: 'allocation' }>) {
+  const scene = pourScene(job.chips)
+  const pour = (seed: number) => {
+    const run = engine.start(scene, scene.build(seed), job.setting, false)
+    globalThis.gc?.()
+    const before = process.memoryUsage().heapUsed
+    for (let k = 0; k < frames; k++) run.step()
+    const bytes = process.memoryUsage().heapUsed - before
+    run.free()
+    return bytes / frames
+  }
+  // The compiler's own traces go with the first runs.
+  for (let seed = 1; seed <= 12; seed++) pour(seed)
+  return Math.max(0, median([1, 2, 3].map(pour)))
+}
+
+async function work(job: Job) {
+  const engine = await loadEngine(job.engine)
+  if (job.kind === 'errors') return sceneErrors(engine, sceneNamed(job.scene), job.setting, job.seeds)
+  if (job.kind === 'scene cost') return sceneCost(engine, job)
+  if (job.kind === 'pour cost') return pourCost(engine, job)
+  if (job.kind === 'asleep') return asleepCost(engine, job)
+  return allocation(engine, job)
+}
+
+console.log(JSON.stringify(await work(JSON.parse(process.argv[2]))))
+process.exit(0)

@@ -1,0 +1,35 @@
+import type { Kind } from '../scenes/piles'
+import type { Setting } from './engine'
+import { median } from './film'
+
+export type Job =
+  | { kind: 'errors'; engine: string; scene: string; setting: Setting; seeds: number }
+  | { kind: 'scene cost'; engine: string; scene: string; settings: Setting[]; milliseconds: number }
+  | { kind: 'pour cost'; engine: string; setting: Setting; chips: number; shape: Kind; milliseconds: number }
+  | { kind: 'asleep'; engine: string; setting: Setting; chips: number }
+  | { kind: 'allocation'; engine: string; setting: Setting; chips: number }
+
+/** Microseconds per frame. */
+export type Cost = {
+  mean: number
+  /** the first 1.5 s, in which everything falls and lands */
+  pour: number
+  /** the fourth second, all awake */
+  settled: number
+  p50: number
+  p95: number
+  worst: number
+}
+
+/** The median of each figure. */
+export function medianCost(costs: Cost[]): Cost {
+  const of = (key: keyof Cost) => median(costs.map((cost) => cost[key]))
+  return {
+    mean: of('mean'),
+    pour: of('pour'),
+    settled: of('settled'),
+    p50: of('p50'),
+    p95: of('p95'),
+    worst: of('worst'),
+  }
+}

@@ -1,0 +1,59 @@
+import { execFile } from 'node:child_process'
+import { mkdirSync } from 'node:fs'
+import { dirname, join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { build } from 'esbuild'
+import type { Cost, Job } from './job'
+
+export const root = dirname(dirname(fileURLToPath(import.meta.url)))
+
+/** Bundles the child as an app would be: a development loader wraps functions, and that costs time. */
+export async function bundleChild() {
+  const folder = join(root, 'node_modules/.cache/gravity-stack-bench')
+  mkdirSync(folder, { recursive: true })
+  const outfile = join(folder, `child-${process.pid}.mjs`)
+  await build({
+    entryPoints: [join(root, 'bench/child.ts')],
+    outfile,
+    bundle: true,
+    format: 'esm',
+    platform: 'node',
+    target: 'es2022',
+    packages: 'external',
+    plugins: [
+      {
+        // Files named inside node_modules stay outside the bundle too: WebAssembly is loaded from beside them.
+        name: 'keep-packages-outside',
+        setup(context) {
+          context.onResolve({ filter: /node_modules/ }, (args) => ({
+            path: join(args.resolveDir, args.path),
+            external: true,
+          }))
+        },
+      },
+    ],
+    logLevel: 'error',
+  })
+  return outfile
+}
+
+type Outcome<J extends Job> = J extends { kind: 'errors' | 'scene cost' }
+  ? number[]
+  : J extends { kind: 'pour cost' }
+    ? Cost
+    : number
+
+/** The outcome of a job, or null when it took longer than `limit` milliseconds. Errors it had are shown. */
+export function runJob<J extends Job>(child: string, job: J, limit = 300_000): Promise<Outcome<J> | null> {
+  const flags = job.kind === 'allocation' ? ['--expose-gc', '--max-semi-space-size=256'] : []
+  return new Promise((resolve, reject) => {
+    const options = { cwd: root, encoding: 'utf8' as const, timeout: limit, killSignal: 'SIGKILL' as const }
+    execFile(process.execPath, [...flags, child, JSON.stringify(job)], options, (error, out, err) => {
+      if (error?.killed) return resolve(null)
+      if (error) return reject(new Error(`${JSON.stringify(job)}\n${err}`))
+      // JSON knows no Infinity: it writes null, and an error without bound is what that means here.
+      const last = out.trimEnd().split('\n').at(-1) ?? ''
+      resolve(JSON.parse(last, (_, value) => (value === null ? Number.POSITIVE_INFINITY : value)))
+    })
+  })
+}
