@@ -19,7 +19,7 @@ export default defineConfig({
   },
   projects: [
     { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: fixturesUrl } },
-    { name: 'site', testMatch: 'site*.spec.ts' },
+    { name: 'site', testIgnore: ['component-*.spec.ts', 'install/*.spec.ts'] },
     { name: 'install', testMatch: 'install/*.spec.ts', timeout: 300_000 },
   ],
   webServer: [
