@@ -155,9 +155,11 @@ export const components = (css: string, more: object = {}) => ({
   ...more,
 })
 
+export const docsPage = (page: string) => readFile(join(root, 'content/docs', `${page}.mdx`), 'utf8')
+
 /** A code block of the docs, by the title it carries or the heading it stands under. */
 export async function docsCode(page: string, { title, heading }: { title?: string; heading?: string }) {
-  const text = await readFile(join(root, 'content/docs', `${page}.mdx`), 'utf8')
+  const text = await docsPage(page)
   const section = heading ? text.slice(text.indexOf(`\n## ${heading}\n`)) : text
   const code = section.match(
     title ? RegExp(`\`\`\`\\w+ title="${title}"\\n([\\s\\S]*?)\`\`\``) : /```\w+\n([\s\S]*?)```/,
@@ -166,19 +168,30 @@ export async function docsCode(page: string, { title, heading }: { title?: strin
   return code[1]
 }
 
+type Starter = { template?: string; starter?: string[]; install?: string[] }
+
 /** A project fresh from Vite's own starter, with Tailwind and the `@/` alias set up as the Setup page says. */
-export async function viteProject(project: Project, template = 'react-ts') {
-  await project.run(tool('create-vite'), ['.', '--template', template, '--no-interactive', '--overwrite'])
+export async function viteProject(project: Project, options: Starter = {}) {
+  const { template = 'react-ts', starter = [], install = ['npm', 'install'] } = options
+  await project.run(tool('create-vite'), ['.', '--template', template, ...starter, '--no-interactive'])
   const alias = JSON.parse(await docsCode('setup', { title: 'tsconfig.json' })).compilerOptions.paths
-  const options = `"compilerOptions": { "paths": ${JSON.stringify(alias)}`
-  await project.edit('tsconfig.json', (text) => text.replace('{', `{ ${options} },`))
-  await project.edit('tsconfig.app.json', (text) => text.replace('"compilerOptions": {', `${options},`))
+  const paths = `"compilerOptions": { "paths": ${JSON.stringify(alias)}`
+  await project.edit('tsconfig.json', (text) => text.replace('{', `{ ${paths} },`))
+  await project.edit('tsconfig.app.json', (text) => text.replace('"compilerOptions": {', `${paths},`))
+  // The starter's own plugins stay; the alias and Tailwind's plugin come as on the page.
+  const told = await docsCode('setup', { title: 'vite.config.ts' })
+  const lines = (pattern: RegExp) => told.match(pattern)?.join('\n') ?? ''
+  await project.edit('vite.config.ts', (text) =>
+    `${lines(/^import .*(node:url|tailwindcss\/vite).*$/gm)}\n${text}`
+      .replace('plugins: [', 'plugins: [tailwindcss(), ')
+      .replace('defineConfig({', `defineConfig({\n${lines(/^ *resolve: .*$/m)}`),
+  )
   await project.write({
-    'vite.config.ts': await docsCode('setup', { title: 'vite.config.ts' }),
     'src/index.css': await docsCode('setup', { title: 'src/index.css' }),
     'components.json': components('src/index.css', { rsc: false }),
   })
-  await project.run('npm', ['install', 'tailwindcss', '@tailwindcss/vite'])
+  const [command, ...args] = install
+  await project.run(command, [...args, 'tailwindcss', '@tailwindcss/vite'])
 }
 
 /** A project fresh from Next's own starter. Its fonts come from the network, so they stay out. */
