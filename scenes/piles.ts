@@ -1,5 +1,6 @@
 // Scenes without one right answer: piles are chaotic, so they are judged by what any right answer has.
 import { chipDistance, halfExtent } from './exact-distance'
+import { contactResidual } from './residual'
 import { type Chip, conditions, type Film, type Scene } from './scene'
 import { seeded } from './seeded'
 
@@ -139,10 +140,12 @@ function pour(kind: Kind, count: number, seconds: number, seeds: number, targets
       { name: 'overlap during', unit: 'px', target: targets.during, over: 'median' },
       { name: 'time to rest', unit: 's', target: targets.time, over: 'median' },
       { name: 'slowest to rest', unit: 's', target: targets.slowest, over: 'worst' },
+      ...(count === 60 ? [{ name: 'contact residual', unit: 'weights', over: 'median' as const }] : []),
     ],
     measure(film: Film) {
       const time = film.timeToRest()
-      return [film.overlap(film.frames), film.worstOverlap(), time, time]
+      const errors = [film.overlap(film.frames), film.worstOverlap(), time, time]
+      return count === 60 ? [...errors, contactResidual(film, film.frames)] : errors
     },
   }
 }
