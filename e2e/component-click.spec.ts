@@ -1,0 +1,81 @@
+import { expect, test } from './fixtures/stage'
+
+const done = 'output'
+
+test('links and buttons in chips click, middle-click and open their menu as always', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  await page.getByText('Read the docs').click()
+  await expect(page).toHaveURL(/#link$/)
+  await page.getByText('a button').click()
+  await page.getByText('inner').click()
+  await page.getByText('Read the docs').click({ button: 'middle' })
+  await page.getByText('plain', { exact: true }).click({ button: 'right' })
+  await expect(page.locator(done)).toHaveText(
+    'click link, click button, click inner, auxclick link, contextmenu plain, auxclick plain',
+  )
+})
+
+test('a click on a control leaves its chip where it is', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const chip = stage.chip('a button')
+  const before = await stage.centre(chip)
+  await page.getByText('a button').click()
+  await stage.reaches('resting')
+  const after = await stage.centre(chip)
+  expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(1)
+})
+
+test('a drag that starts on a link moves the chip, and neither follows nor drags the link', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  const chip = stage.chip('Read the docs')
+  const { x, y } = await stage.drag(chip, 40, -120)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  const centre = await stage.centre(chip)
+  expect(Math.hypot(centre.x - x, centre.y - y)).toBeLessThan(40)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  await expect(page.locator(done)).not.toContainText('click link')
+  await expect(page).not.toHaveURL(/#link$/)
+  // The next click counts again.
+  await page.getByText('Read the docs').click()
+  await expect(page.locator(done)).toContainText('click link')
+})
+
+test('after a drag the keyboard still follows the link at once', async ({ stage, page }) => {
+  await stage.settled('controls')
+  await stage.drag(stage.chip('Read the docs'), 20, -60)
+  await page.mouse.move(5, 600)
+  await page.mouse.up()
+  await page.getByText('Read the docs').focus()
+  await page.keyboard.press('Enter')
+  await expect(page).toHaveURL(/#link$/)
+})
+
+test('a tap on a chip without a control gives it a hop', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const chip = stage.chip('plain')
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.click(x, y)
+  await expect(chip).toHaveAttribute('data-state', 'falling')
+  await expect.poll(async () => y - (await stage.centre(chip)).y, { intervals: [10] }).toBeGreaterThan(10)
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  await expect(page.locator(done)).toContainText('click plain')
+})
+
+test('text in a field inside a chip is selected with the mouse; the chip stays', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const field = page.getByLabel('name', { exact: true }).last()
+  await field.dblclick()
+  expect(await field.evaluate((input: HTMLInputElement) => input.selectionEnd! - input.selectionStart!)).toBe(
+    3,
+  )
+  await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'resting')
+})

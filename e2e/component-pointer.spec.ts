@@ -1,0 +1,190 @@
+import { expect, test } from './fixtures/stage'
+
+test('a pressed chip hangs from the very point where it was grabbed, in front and a little smaller', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 5, shape: 'tall' })
+  const chip = stage.chips.nth(2)
+  const { x, y } = await stage.centre(chip)
+  const [px, py] = [x + 20, y + 3]
+  const grabbed = await stage.pointAt(chip, px, py)
+  await page.mouse.move(px, py)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.move(px - 30, py - 120, { steps: 8 })
+  await stage.hangs(chip)
+  const held = await stage.pointAt(chip, px - 30, py - 120)
+  expect(Math.hypot(held.x - grabbed.x, held.y - grabbed.y)).toBeLessThan(6)
+  const { z, scale } = await chip.evaluate((element) => {
+    const m = new DOMMatrix(getComputedStyle(element).transform)
+    return { z: Number(getComputedStyle(element).zIndex), scale: Math.hypot(m.a, m.b) }
+  })
+  expect(z).toBeGreaterThan(0)
+  expect(scale).toBeCloseTo(0.97, 3)
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a tossed chip flies on, comes down and settles', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  const before = await stage.centre(chip)
+  const way = before.x < 320 ? 1 : -1
+  await stage.drag(chip, way * 160, -120, 6)
+  const atRelease = await stage.centre(chip)
+  await page.mouse.up()
+  await expect.poll(async () => way * ((await stage.centre(chip)).x - atRelease.x)).toBeGreaterThan(40)
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a chip that is only carried and put down does not fly off', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 0, -100)
+  await stage.hangs(chip)
+  const { x } = await stage.centre(chip)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(60)
+})
+
+test('a throw is as fast from a 30 Hz pointer as from a 240 Hz one', async ({ stage, page }) => {
+  const throwAt = async (hertz: number) => {
+    await stage.settled('pile', { chips: 1 })
+    return page.evaluate(async (hertz) => {
+      const chip = document.querySelector('[data-slot=gravity-stack-chip]')!
+      const box = chip.getBoundingClientRect()
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
+      const way = x < 320 ? 1 : -1
+      const send = (type: string, ms: number) => {
+        const event = new PointerEvent(type, {
+          bubbles: true,
+          composed: true,
+          pointerId: 7,
+          pointerType: 'mouse',
+          clientX: x + way * 0.5 * Math.max(ms, 0),
+          clientY: y - 0.5 * Math.max(ms, 0),
+        })
+        Object.defineProperty(event, 'timeStamp', { value: 5000 + ms })
+        chip.dispatchEvent(event)
+      }
+      send('pointerdown', 0)
+      // 0.5 px a ms for 300 ms of frames; the pointer reports when its own rate says so.
+      let told = 0
+      for (let ms = 0; ms <= 300; ms += 1000 / 60) {
+        await window.probe.pass(1)
+        while (told + 1000 / hertz <= ms + 0.001) {
+          told += 1000 / hertz
+          send('pointermove', told)
+        }
+      }
+      send('pointerup', 300)
+      const at = () => new DOMMatrix(getComputedStyle(chip).transform).e
+      await window.probe.pass(2)
+      const [from, began] = [at(), document.timeline.currentTime as number]
+      await window.probe.pass(6)
+      return (Math.abs(at() - from) / ((document.timeline.currentTime as number) - began)) * 1000
+    }, hertz)
+  }
+  const slow = await throwAt(30)
+  const fast = await throwAt(240)
+  expect(slow).toBeGreaterThan(420)
+  expect(Math.abs(slow - fast) / fast).toBeLessThan(0.06)
+})
+
+test('several pointers hold several chips, and each lets go of its own', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 4 })
+  const send = (type: string, pointerId: number, chip: number, dy = 0) =>
+    page.evaluate(
+      ([type, pointerId, chip, dy]) => {
+        const element = document.querySelectorAll('[data-slot=gravity-stack-chip]')[chip]
+        const box = element.getBoundingClientRect()
+        const event = { bubbles: true, composed: true, pointerId, clientX: box.x + box.width / 2 }
+        element.dispatchEvent(new PointerEvent(type, { ...event, clientY: box.y + box.height / 2 + dy }))
+      },
+      [type, pointerId, chip, dy] as const,
+    )
+  await send('pointerdown', 21, 0)
+  await send('pointerdown', 22, 1)
+  await send('pointermove', 21, 0, -80)
+  await send('pointermove', 22, 1, -80)
+  expect((await stage.states()).slice(0, 2)).toEqual(['held', 'held'])
+  await send('pointerup', 21, 0)
+  await expect(stage.chips.nth(0)).not.toHaveAttribute('data-state', 'held')
+  await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'held')
+  await send('pointercancel', 22, 1)
+  await expect(stage.chips.nth(1)).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+})
+
+test('a pointer that loses its capture lets go', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 4 })
+  const chip = stage.chips.nth(1)
+  await stage.drag(chip, 20, -80)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await chip.evaluate((element) => {
+    // The mouse is pointer 1 in every browser.
+    element.releasePointerCapture(1)
+  })
+  await page.mouse.move(300, 100)
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+})
+
+test('a chip dragged out of the stage stays inside, and is still held', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 900, -60)
+  await stage.hangs(chip)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect(await stage.outside()).toBeLessThan(2)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  expect(await stage.outside()).toBeLessThan(1)
+})
+
+test('a falling chip can be caught in the air', async ({ stage, page }) => {
+  await stage.open('pile', { chips: 1, gravity: 300 })
+  const chip = stage.chips.first()
+  await expect.poll(async () => (await stage.centre(chip)).y).toBeGreaterThan(60)
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y + 14)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  expect((await stage.centre(chip)).y).toBeLessThan(250)
+  await page.mouse.up()
+  await stage.reaches('resting')
+})
+
+test('with interactive off nothing can be grabbed and nothing listens', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3, interactive: false })
+  const listening = await stage.probe((probe) => Object.keys(probe.listeners))
+  expect(listening.filter((type) => /pointer|touch|click|drag/.test(type))).toEqual([])
+  await stage.drag(stage.chips.nth(0), 60, -100)
+  await page.mouse.up()
+  expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+  expect(await stage.chips.nth(0).evaluate((chip) => getComputedStyle(chip).cursor)).not.toBe('grab')
+})
+
+test('the hand is open over a chip and closed round it, and its words can’t be selected', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  const style = () =>
+    chip.evaluate((element) => {
+      const { cursor, userSelect } = getComputedStyle(element)
+      return { cursor, userSelect }
+    })
+  expect(await style()).toEqual({ cursor: 'grab', userSelect: 'none' })
+  await stage.drag(chip, 30, -50)
+  expect(await style()).toEqual({ cursor: 'grabbing', userSelect: 'none' })
+  await page.mouse.up()
+})
