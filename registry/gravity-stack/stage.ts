@@ -40,7 +40,7 @@ export interface StageOptions {
   friction: number
   stagger: number
   interactive: boolean
-  onSettle?: () => void
+  onSettle?: (() => void) | undefined
 }
 
 export interface Stage {
@@ -134,7 +134,8 @@ function pointerMap(root: HTMLElement) {
     probe.style.cssText = `position:absolute;left:${left}px;top:${all[i + 1]}px`
     return root.appendChild(probe)
   })
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect())
+  type Three = [DOMRect, DOMRect, DOMRect]
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as Three
   const before = root.getBoundingClientRect()
   for (const probe of probes) probe.remove()
   const [ux, uy, vx, vy] = [u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y]
@@ -209,7 +210,7 @@ export function createStage(root: HTMLElement): Stage {
 
   function collect() {
     for (const element of root.children) {
-      if (chips.has(element) || !(element as HTMLElement).dataset.slot) continue
+      if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       const chip = { element, state: 'waiting', width: 0, id: -1 } as unknown as Chip
       chips.set(element, chip)
       if (!still.matches) sizes.observe(element)
@@ -314,7 +315,7 @@ export function createStage(root: HTMLElement): Stage {
 
   function advance(seconds: number) {
     const end = clock + seconds
-    while (queue.length && queue[0].due <= end) {
+    while (queue[0] && queue[0].due <= end) {
       const chip = queue.shift()!
       world!.step(Math.max(chip.due - clock, 0))
       clock = Math.max(chip.due, clock)
@@ -334,7 +335,7 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function paint(id: number, x: number, y: number, angle: number, asleep: boolean) {
-    const chip = bodies[id]
+    const chip = bodies[id]!
     x = Math.round(x * 100) / 100
     y = Math.round(y * 100) / 100
     angle = Math.round(angle * 1e4) / 1e4
@@ -359,7 +360,9 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function mark(chip: Chip, next: Chip['state']) {
-    if (chip.state !== next) chip.element.dataset.state = chip.state = next
+    if (chip.state === next) return
+    chip.state = next
+    chip.element.setAttribute('data-state', next)
   }
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
@@ -392,13 +395,14 @@ export function createStage(root: HTMLElement): Stage {
     if (!running && next !== 'resting') for (const pointer of presses.keys()) letGo(pointer)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
-    root.dataset.state = state = next
+    state = next
+    root.setAttribute('data-state', next)
     if (settled) options.onSettle?.()
   }
 
   function arrive() {
     awaited = undefined
-    advance(Math.max(queue[0].due - clock, 0))
+    advance(Math.max(queue[0]!.due - clock, 0))
     sync()
   }
 
@@ -643,7 +647,7 @@ export function createStage(root: HTMLElement): Stage {
       changes.disconnect()
       clearTimeout(timer)
       cancelFrame(tick)
-      root.dataset.state = 'static'
+      root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {
         mark(chip, 'waiting')
         chip.element.style.transform = chip.element.style.zIndex = ''
