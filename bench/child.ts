@@ -123,7 +123,10 @@ function allocation(engine: Engine, job: Extract<Job, { kind: 'allocation' }>) {
 
 async function work(job: Job) {
   const engine = await loadEngine(job.engine)
-  if (job.kind === 'errors') return sceneErrors(engine, sceneNamed(job.scene), job.setting, job.seeds)
+  if (job.kind === 'errors') {
+    const scene = sceneNamed(job.scene)
+    return job.settings.map((setting) => sceneErrors(engine, scene, setting, job.seeds))
+  }
   if (job.kind === 'scene cost') return sceneCost(engine, job)
   if (job.kind === 'pour cost') return pourCost(engine, job)
   if (job.kind === 'asleep') return asleepCost(engine, job)

@@ -20,6 +20,8 @@ export type Engine = {
   packages: string[]
   /** every setting of its natural knobs, the default first */
   settings: Setting[]
+  /** the one of them for large piles, where sweeping all would take hours */
+  accurate: Setting
   load(): Promise<void>
   /** Without `sleep` everything stays awake, so that what is measured is the solver and not its sleep. */
   start(scene: Scene, chips: Chip[], setting: Setting, sleep: boolean): Run

@@ -3,7 +3,7 @@ import type { Setting } from './engine'
 import { median } from './film'
 
 export type Job =
-  | { kind: 'errors'; engine: string; scene: string; setting: Setting; seeds: number }
+  | { kind: 'errors'; engine: string; scene: string; settings: Setting[]; seeds: number }
   | { kind: 'scene cost'; engine: string; scene: string; settings: Setting[]; milliseconds: number }
   | { kind: 'pour cost'; engine: string; setting: Setting; chips: number; shape: Kind; milliseconds: number }
   | { kind: 'asleep'; engine: string; setting: Setting; chips: number }

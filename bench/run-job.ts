@@ -37,11 +37,13 @@ export async function bundleChild() {
   return outfile
 }
 
-type Outcome<J extends Job> = J extends { kind: 'errors' | 'scene cost' }
-  ? number[]
-  : J extends { kind: 'pour cost' }
-    ? Cost
-    : number
+export type Outcome<J extends Job> = J extends { kind: 'errors' }
+  ? number[][]
+  : J extends { kind: 'scene cost' }
+    ? number[]
+    : J extends { kind: 'pour cost' }
+      ? Cost
+      : number
 
 /** The outcome of a job, or null when it took longer than `limit` milliseconds. Errors it had are shown. */
 export function runJob<J extends Job>(child: string, job: J, limit = 300_000): Promise<Outcome<J> | null> {

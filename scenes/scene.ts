@@ -38,6 +38,8 @@ export type Measure = {
   target?: number
   /** how runs with several seeds become one number */
   over?: 'worst' | 'median'
+  /** false where less is not more exact: a pile can also rest too soon */
+  ranked?: false
 }
 
 export type Scene = {

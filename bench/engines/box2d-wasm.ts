@@ -31,6 +31,7 @@ function box2d(name: string, build: keyof typeof builds): Engine {
       { substeps: 16, hertz: stiff },
       { substeps: 32, hertz: stiff },
     ],
+    accurate: { substeps: 8, hertz: stiff },
     async load() {
       const { default: factory } = (await builds[build]()) as { default: () => Promise<Box2D> }
       b2 ??= await factory()

@@ -30,6 +30,7 @@ export const circleChains: Engine = {
     { steps: 8, passes: 2 },
     { steps: 8, passes: 8 },
   ],
+  accurate: { steps: 8, passes: 8 },
   async load() {},
   start(scene, chips, { steps, passes }) {
     const { gravity, friction, bounce, bounceThreshold, linearDamping, angularDamping } = scene.conditions

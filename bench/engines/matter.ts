@@ -19,6 +19,7 @@ export const matter: Engine = {
     // Its bodies have four times the inertia of their shape unless told otherwise.
     { substeps: 4, velocity: 4, position: 6, trueInertia: 1 },
   ],
+  accurate: { substeps: 8, velocity: 10, position: 10 },
   async load() {},
   start(scene, chips, { substeps, velocity, position, trueInertia }, sleep) {
     const { conditions } = scene

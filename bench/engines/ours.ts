@@ -6,6 +6,7 @@ export const ours: Engine = {
   name: 'gravity-stack',
   packages: [],
   settings: [{}, { substeps: 2 }, { substeps: 4 }, { substeps: 8 }, { substeps: 16 }, { substeps: 32 }],
+  accurate: { substeps: 16 },
   async load() {},
   start(scene, chips, setting, sleep) {
     const world = createWorld({

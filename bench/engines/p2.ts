@@ -16,6 +16,7 @@ export const p2es: Engine = {
     { substeps: 8, iterations: 10, stiffness: 1e7 },
     { substeps: 16, iterations: 10, stiffness: 1e7 },
   ],
+  accurate: { substeps: 8, iterations: 10, stiffness: 1e7 },
   async load() {},
   start(scene, chips, { substeps, iterations, stiffness }, sleep) {
     const { conditions } = scene

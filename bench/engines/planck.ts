@@ -16,15 +16,19 @@ export const planck: Engine = {
     { substeps: 8, velocity: 4, position: 2 },
     { substeps: 16, velocity: 8, position: 3 },
   ],
+  accurate: { substeps: 4, velocity: 8, position: 3 },
   async load() {},
   start(scene, chips, { substeps, velocity, position }, sleep) {
     const { conditions } = scene
     Settings.velocityThreshold = conditions.bounceThreshold / ppm
     const world = new World({ gravity: Vec2(0, conditions.gravity / ppm), allowSleep: sleep })
+    // Boxes wear a skin outside their corners: taken off them here, so that they are as large as everywhere else.
+    const skin = Settings.polygonRadius
     const surface = { friction: conditions.friction, restitution: conditions.bounce }
     for (const wall of walls(scene)) {
       const body = world.createBody({ position: Vec2(wall.x / ppm, wall.y / ppm) })
-      body.createFixture({ shape: new Box(wall.halfWidth / ppm, wall.halfHeight / ppm), ...surface })
+      const shape = new Box(wall.halfWidth / ppm - skin, wall.halfHeight / ppm - skin)
+      body.createFixture({ shape, ...surface })
     }
     const bodies = chips.map((chip) => {
       const body: Body = world.createBody({
@@ -41,8 +45,8 @@ export const planck: Engine = {
       const a = chip.width / 2 / ppm - r
       const b = chip.height / 2 / ppm - r
       const add = (shape: Box | Circle) => body.createFixture({ shape, density: 1, ...surface })
-      if (a > 0) add(new Box(a, b + r))
-      if (b > 0 && r > 0) add(new Box(a + r, b))
+      if (a > 0) add(new Box(r > 0 ? a : a - skin, b + r - skin))
+      if (b > 0 && r > 0) add(new Box(a + r - skin, b))
       if (r > 0) {
         for (const x of a > 0 ? [-a, a] : [0])
           for (const y of b > 0 ? [-b, b] : [0]) add(new Circle(Vec2(x, y), r))

@@ -29,6 +29,7 @@ function rapier(name: string, build: keyof typeof builds): Engine {
       { iterations: 4, frames: 4 },
       { iterations: 4, frames: 4, hertz: 240 },
     ],
+    accurate: { iterations: 8, hertz: 120 },
     async load() {
       api ??= await builds[build]()
       await api.init()

@@ -1,0 +1,131 @@
+// The shape of bench/results/results.json, and what can be read off it.
+import type { Bytes } from './bytes'
+import type { Setting } from './engine'
+import type { Cost } from './job'
+
+/** null stands for an error without bound: chips flew off, or a number was not finite. */
+export type ErrorRow = {
+  engine: string
+  setting: Setting
+  scene: string
+  errors: (number | null)[]
+  seeds: number
+}
+/** Microseconds per frame of the scene, and how far the rounds lie apart (largest over smallest). */
+export type SceneCostRow = { engine: string; setting: Setting; scene: string; cost: number; spread: number }
+/** `cost` is null where the run was given up: the reason says why. */
+export type PourCostRow = {
+  engine: string
+  setting: Setting
+  chips: number
+  cost: Cost | null
+  spread: number | null
+  reason?: string
+}
+
+export type SceneHead = {
+  name: string
+  title: string
+  seeds: number
+  measures: { name: string; unit: string; target: number | null; ranked: boolean }[]
+}
+
+export type Results = {
+  date: string
+  machine: { cpu: string; cores: number; memoryGB: number; system: string; node: string }
+  versions: Record<string, string>
+  quick: boolean
+  scenes: SceneHead[]
+  errors: ErrorRow[]
+  sceneCosts: SceneCostRow[]
+  pourCosts: PourCostRow[]
+  /** µs per frame of 60 chips once the engine sleeps */
+  asleep: Record<string, number | null>
+  /** bytes of JavaScript heap per frame, 60 chips awake */
+  allocation: Record<string, number | null>
+  bytes: Bytes[]
+}
+
+export const ours = 'gravity-stack'
+
+/** One setting of one engine on one scene: its place on the plot. */
+export type Point = { engine: string; setting: Setting; cost: number; error: number }
+
+const key = (row: { engine: string; scene: string; setting: Setting }) =>
+  `${row.engine} ${row.scene} ${JSON.stringify(row.setting)}`
+
+/** Every setting of every engine that has both a cost and an error on this measure of this scene. */
+export function points(results: Results, scene: string, measure: number): Point[] {
+  const costs = new Map(results.sceneCosts.map((row) => [key(row), row.cost]))
+  return results.errors
+    .filter((row) => row.scene === scene && costs.has(key(row)))
+    .map((row) => ({
+      engine: row.engine,
+      setting: row.setting,
+      cost: costs.get(key(row)) as number,
+      error: row.errors[measure] ?? Number.POSITIVE_INFINITY,
+    }))
+}
+
+/** The points that no other point beats in both cost and error, from cheap to dear. */
+export function frontier(all: Point[]): Point[] {
+  const sorted = all
+    .filter((point) => Number.isFinite(point.error))
+    .sort((a, b) => a.cost - b.cost || a.error - b.error)
+  const best: Point[] = []
+  for (const point of sorted) {
+    if (best.length === 0 || point.error < best[best.length - 1].error) best.push(point)
+  }
+  return best
+}
+
+/** Costs closer than this are a tie: the machine's own noise. */
+const noise = 1.05
+/** Errors below this are rounding, or a pile at rest: who is nearer to zero there says nothing. */
+const rounding: Record<string, number> = { px: 1e-9, 'px/s': 1e-9, rad: 1e-9, relative: 1e-9, weights: 1e-3 }
+
+export type Verdict = {
+  scene: SceneHead
+  measure: number
+  /** our default setting */
+  cost: number
+  error: number
+  /** the most exact peer that costs no more, and how many times our error it makes */
+  asCheap: (Point & { factor: number }) | null
+  /** the cheapest peer that is as exact, at any setting, and how many times our cost it takes */
+  asExact: (Point & { factor: number }) | null
+  /** peers that are cheaper and more exact than our default: the exceptions to the claim */
+  beaten: Point[]
+}
+
+/** Scene by scene, whether any engine at any setting lies below and to the left of ours. */
+export function verdicts(results: Results): Verdict[] {
+  return results.scenes.flatMap((scene) =>
+    scene.measures.flatMap(({ unit, ranked }, measure) => {
+      if (!ranked) return []
+      const all = points(results, scene.name, measure)
+      const own = all.find((point) => point.engine === ours && Object.keys(point.setting).length === 0)
+      if (!own) return []
+      const peers = all.filter((point) => point.engine !== ours && Number.isFinite(point.error))
+      const floor = rounding[unit] ?? 0
+      const ownError = Math.max(own.error, floor)
+      const cheap = peers
+        .filter((point) => point.cost <= own.cost * noise)
+        .sort((a, b) => a.error - b.error)[0]
+      const exact = peers.filter((point) => point.error <= ownError).sort((a, b) => a.cost - b.cost)[0]
+      return [
+        {
+          scene,
+          measure,
+          cost: own.cost,
+          error: own.error,
+          asCheap: cheap ? { ...cheap, factor: Math.max(cheap.error, floor) / ownError } : null,
+          asExact: exact ? { ...exact, factor: exact.cost / own.cost } : null,
+          beaten: peers.filter(
+            (point) => point.cost * noise < own.cost && Math.max(point.error, floor) < ownError,
+          ),
+        },
+      ]
+    }),
+  )
+}
