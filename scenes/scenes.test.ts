@@ -1,0 +1,79 @@
+import { describe, expect, it } from 'vitest'
+import { sceneNamed, scenes } from '.'
+import { chipDistance, stageDistance } from './exact-distance'
+import { pourChips, pourStage } from './piles'
+import { contactResidual } from './residual'
+import { Film } from './scene'
+
+describe('the scenes', () => {
+  it('have names of their own, and one measure at least', () => {
+    expect(new Set(scenes.map((scene) => scene.name)).size).toBe(scenes.length)
+    for (const scene of scenes) expect(scene.measures.length).toBeGreaterThan(0)
+  })
+
+  it('start without any chip in another, in the floor or in a wall', () => {
+    for (const scene of scenes) {
+      const chips = scene.build(1)
+      for (let i = 0; i < chips.length; i++) {
+        const { floor, left, right } = stageDistance(chips[i], chips[i], scene)
+        expect(Math.min(floor, left, right), `${scene.name}, chip ${i}`).toBeGreaterThan(-1e-9)
+        for (let j = 0; j < i && chips.length < 300; j++) {
+          const gap = chipDistance(chips[i], chips[i], chips[j], chips[j])
+          expect(gap, `${scene.name}, chips ${i} and ${j}`).toBeGreaterThan(-1e-9)
+        }
+      }
+    }
+  })
+
+  it('pour the same chips from the same seed, and others from another', () => {
+    expect(pourChips('mixed', 60, 4)).toEqual(pourChips('mixed', 60, 4))
+    expect(pourChips('mixed', 60, 4)).not.toEqual(pourChips('mixed', 60, 5))
+  })
+
+  it('fill larger stages as full', () => {
+    for (const count of [12, 250, 1000]) {
+      const { width, height } = pourStage(count)
+      expect((width * height) / count).toBeCloseTo((640 * 340) / 60, -2)
+    }
+  })
+
+  it('read bounce heights off the frames, whatever their phase', () => {
+    const scene = sceneNamed('bounce-0.5')
+    const film = new Film(scene, scene.build(1), 30)
+    for (let k = 0; k <= 30; k++) film.at(k)[1] = 100 + 1300 * ((k - 14.37) / 60) ** 2
+    expect(film.apexes()).toHaveLength(1)
+    expect(film.apexes()[0]).toBeCloseTo(100, 10)
+  })
+
+  it('see when the last chip calms down', () => {
+    const scene = sceneNamed('stack-10')
+    const film = new Film(scene, scene.build(1), 60)
+    for (let k = 0; k <= 60; k++) film.at(k)[6 * 3 + 3] = k <= 33 ? 8 : 6
+    expect(film.timeToRest()).toBeCloseTo(33 / 60, 12)
+  })
+
+  it('measure drift at the corner that moved furthest', () => {
+    const scene = sceneNamed('stack-10')
+    const film = new Film(scene, scene.build(1), 1)
+    film.at(1).set(film.at(0))
+    expect(film.drift()).toBe(0)
+    film.at(1)[0] += 3
+    film.at(1)[1] += 4
+    expect(film.drift()).toBeCloseTo(5, 12)
+  })
+
+  it('find a stack at rest in balance, one in the air a weight short, and one that sinks at fault', () => {
+    const scene = sceneNamed('stack-10')
+    const film = new Film(scene, scene.build(1), 1)
+    film.at(1).set(film.at(0))
+    expect(contactResidual(film, 1, 40_000)).toBeLessThan(1e-3)
+    const sinking = new Film(scene, scene.build(1), 1)
+    sinking.at(1).set(sinking.at(0))
+    for (const k of [0, 1]) for (let i = 0; i < 10; i++) sinking.at(k)[6 * i + 4] = 20
+    expect(contactResidual(sinking, 1, 40_000)).toBeGreaterThan(0.1)
+    const flying = new Film(scene, scene.build(1), 1)
+    flying.at(1).set(flying.at(0))
+    for (let i = 0; i < 10; i++) flying.at(1)[6 * i + 1] -= 100 * (i + 1)
+    expect(contactResidual(flying, 1)).toBeCloseTo(1, 6)
+  })
+})
