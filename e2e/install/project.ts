@@ -4,7 +4,7 @@ import { existsSync } from 'node:fs'
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
 import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
-import { dirname, join } from 'node:path'
+import { delimiter, dirname, join } from 'node:path'
 import { test as base, expect, type Page } from '@playwright/test'
 import { root } from '../../scripts/run.mjs'
 import { siteUrl } from '../../site.config.mjs'
@@ -12,11 +12,34 @@ import { siteUrl } from '../../site.config.mjs'
 /** What ours is called on the registry that the site serves. */
 export const item = (name: string) => `${siteUrl}/r/${name}.json`
 
+/** The environment of a person's shell: ours, less what npm, Playwright and our own packages put into it. */
+const someonesShell = Object.fromEntries(
+  Object.entries({ ...process.env, CI: '1', NO_COLOR: '1', NEXT_TELEMETRY_DISABLED: '1' })
+    .filter(([name]) => !/^(NODE_ENV|FORCE_COLOR|INIT_CWD|SITE_URL)$|^npm_(?!config_registry$)/.test(name))
+    .map(([name, value = '']) => [name, name === 'PATH' ? withoutOurTools(value) : value]),
+)
+
+function withoutOurTools(path: string) {
+  return path
+    .split(delimiter)
+    .filter((folder) => !folder.endsWith('node_modules/.bin'))
+    .join(delimiter)
+}
+
 export type Outcome = { code: number; output: string }
 
 /** A project of somebody else's, in a folder of its own far from ours, with tools of ours only by name. */
 export class Project {
-  constructor(readonly folder: string) {}
+  constructor(
+    readonly folder: string,
+    /** What its commands are to find in their environment. */
+    readonly env: Record<string, string> = {},
+  ) {}
+
+  /** Puts a folder of tools before those of the machine. */
+  finds(tools: string) {
+    this.env.PATH = [tools, someonesShell.PATH].join(delimiter)
+  }
 
   path = (...parts: string[]) => join(this.folder, ...parts)
   read = (path: string) => readFile(this.path(path), 'utf8')
@@ -42,22 +65,17 @@ export class Project {
 
   /** Runs a command in the project and gives its code and all that it said; never throws. */
   try(command: string, args: string[] = [], env: Record<string, string> = {}): Promise<Outcome> {
-    // a consumer's shell: no mode of ours, no colours of Playwright's
-    const { NODE_ENV: _mode, FORCE_COLOR: _colour, ...inherited } = process.env
     return new Promise((resolve) => {
       const options = {
         cwd: this.folder,
         maxBuffer: 2 ** 26,
         env: {
-          ...inherited,
-          PATH: `${this.path('node_modules/.bin')}:${inherited.PATH}`,
+          ...someonesShell,
           PWD: this.folder,
-          CI: '1',
-          NO_COLOR: '1',
-          NEXT_TELEMETRY_DISABLED: '1',
           npm_config_prefer_offline: 'true',
           npm_config_audit: 'false',
           npm_config_fund: 'false',
+          ...this.env,
           ...env,
         } as Record<string, string> as NodeJS.ProcessEnv,
       }
@@ -87,7 +105,7 @@ export class Project {
     const child = spawn(this.path('node_modules/.bin', command), args(port), {
       cwd: this.folder,
       stdio: 'ignore',
-      env: { ...process.env, NODE_ENV: 'production', PWD: this.folder },
+      env: { ...someonesShell, PWD: this.folder } as Record<string, string> as NodeJS.ProcessEnv,
     })
     const url = `http://localhost:${port}`
     await expect

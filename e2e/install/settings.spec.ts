@@ -11,14 +11,19 @@ test('a project with the strictest TypeScript, React Compiler and ESLint takes t
   page,
 }) => {
   const project = await make('strict')
-  await viteProject(project, { template: 'react-compiler-ts', starter: ['--eslint'] })
+  await viteProject(project, {
+    template: 'react-compiler-ts',
+    starter: ['--eslint'],
+    // The starter's own TypeScript is newer than its ESLint rules can read.
+    install: ['npm', 'install', 'typescript@5.9'],
+  })
   await project.edit('tsconfig.app.json', (text) =>
     text.replace(
       '"skipLibCheck": true,',
       `"skipLibCheck": true,
       "strict": true, "exactOptionalPropertyTypes": true, "noUncheckedIndexedAccess": true,
       "noImplicitOverride": true, "noImplicitReturns": true, "noPropertyAccessFromIndexSignature": true,
-      "allowUnreachableCode": false, "allowUnusedLabels": false, "isolatedModules": true,`,
+      "isolatedModules": true,`,
     ),
   )
   expect(await project.read('tsconfig.app.json')).toContain('"verbatimModuleSyntax": true')
