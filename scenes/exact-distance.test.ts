@@ -124,16 +124,22 @@ describe('the exact distance', () => {
 
   it('finds the deepest pair of a crowd, the same as asking every pair', () => {
     const random = seeded(11)
-    const shapes = Array.from({ length: 80 }, () => randomShape(random))
-    const poses = shapes.map(() => ({ x: 900 * random(), y: 900 * random(), angle: 7 * random() }))
-    let worst = 0
-    for (let i = 0; i < 80; i++) {
-      for (let j = 0; j < i; j++)
-        worst = Math.max(worst, -chipDistance(shapes[i], poses[i], shapes[j], poses[j]))
-    }
     const wide = { width: 1e5, height: 1e5 }
-    const moved = poses.map((pose) => ({ ...pose, x: pose.x + 5000 }))
-    expect(worst).toBeGreaterThan(1)
-    expect(worstOverlap(shapes, moved, wide)).toBeCloseTo(worst, 9)
+    let touching = 0
+    for (let crowd = 0; crowd < 300; crowd++) {
+      const shapes = Array.from({ length: 8 }, () => randomShape(random))
+      const poses = shapes.map(() => ({ x: 5000 + 300 * random(), y: 300 * random(), angle: 7 * random() }))
+      let worst = 0
+      for (let i = 0; i < shapes.length; i++) {
+        const { floor } = stageDistance(shapes[i], poses[i], wide)
+        expect(floor).toBeGreaterThan(0)
+        for (let j = 0; j < i; j++) {
+          worst = Math.max(worst, -chipDistance(shapes[i], poses[i], shapes[j], poses[j]))
+        }
+      }
+      if (worst > 0) touching++
+      expect(worstOverlap(shapes, poses, wide)).toBeCloseTo(worst, 9)
+    }
+    expect(touching).toBeGreaterThan(200)
   })
 })
