@@ -8,3 +8,6 @@ export const siteUrl = (process.env.SITE_URL || 'http://localhost:4000').replace
 
 /** The version people see in the component's first lines, in the registry and in the changelog. */
 export const { version } = packageJson
+
+/** Where the source stands, for the edit links of the docs; without it there are none. */
+export const repositoryUrl = (process.env.REPOSITORY_URL || '').replace(/\/+$/, '')

@@ -9,6 +9,7 @@ import { ComponentPreview } from './component-preview'
 import { ComponentSource } from './component-source'
 import { CopyButton } from './copy-button'
 import { Install, InstallWay } from './install'
+import * as figures from './lab'
 import { PropsTable } from './props-table'
 
 /** A heading whose words are a link to itself. */
@@ -26,6 +27,7 @@ function heading(Tag: 'h2' | 'h3' | 'h4') {
 }
 
 const components = {
+  ...figures,
   h2: heading('h2'),
   h3: heading('h3'),
   h4: heading('h4'),

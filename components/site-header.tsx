@@ -4,7 +4,11 @@ import { MobileNavigation } from './mobile-navigation'
 import { ThemeToggle } from './theme-toggle'
 import { Mark } from './wordmark'
 
-const links = [{ title: 'Docs', href: '/docs/gravity-stack' }]
+const links = [
+  { title: 'Docs', href: '/docs/gravity-stack' },
+  { title: 'Playground', href: '/playground' },
+  { title: 'How it works', href: '/docs/how-it-works' },
+]
 
 export function SiteHeader() {
   return (

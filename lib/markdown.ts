@@ -31,6 +31,7 @@ export function docMarkdown(doc: Doc): string {
     if (block.startsWith('```')) return block
     return block
       .replace(/^<([A-Z]\w*)([^>]*?)\/?>$/gm, (_, name: string, text: string) => {
+        if (name.endsWith('Figure')) return ''
         const part = parts[name]
         if (!part) throw new Error(`lib/markdown.ts has no Markdown for <${name}>, used in ${doc.slug}.mdx`)
         return part(

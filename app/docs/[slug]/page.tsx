@@ -1,8 +1,10 @@
 import type { Metadata } from 'next'
 import Link from 'next/link'
 import { notFound } from 'next/navigation'
+import { CopyButton } from '@/components/copy-button'
 import { Mdx } from '@/components/mdx'
 import { docs, findDoc, type Heading, link } from '@/lib/docs'
+import { repositoryUrl } from '@/site.config.mjs'
 
 export const dynamicParams = false
 export const generateStaticParams = () => docs.map(({ slug }) => ({ slug }))
@@ -24,6 +26,25 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
       <main id="content" className="min-w-0 max-w-[46rem] pt-10 pb-20 max-xl:mx-auto max-xl:w-full">
         <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">{doc.title}</h1>
         <p className="mt-3 text-pretty text-lg text-muted-foreground leading-relaxed">{doc.description}</p>
+        <div data-print="hide" className="-ml-2 mt-4 flex flex-wrap items-center gap-x-2 text-sm">
+          <CopyButton from={`/docs/${doc.slug}.md`} label="Copy page as Markdown">
+            Copy page
+          </CopyButton>
+          <a
+            href={`/docs/${doc.slug}.md`}
+            className="rounded-md px-2 py-1.5 text-muted-foreground hover:text-foreground"
+          >
+            Markdown
+          </a>
+          {repositoryUrl && (
+            <a
+              href={`${repositoryUrl}/edit/main/content/${doc._raw.sourceFilePath}`}
+              className="rounded-md px-2 py-1.5 text-muted-foreground hover:text-foreground"
+            >
+              Edit
+            </a>
+          )}
+        </div>
         <div className="mt-8">
           <Mdx code={doc.body.code} />
         </div>

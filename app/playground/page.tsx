@@ -1,0 +1,22 @@
+import type { Metadata } from 'next'
+import { Playground } from '@/components/playground'
+
+export const metadata: Metadata = {
+  title: 'Playground',
+  description:
+    'Every prop under your fingers, slow motion and single steps, and the code that makes the pile you see.',
+  alternates: { canonical: '/playground' },
+}
+
+export default function PlaygroundPage() {
+  return (
+    <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
+      <h1 className="font-semibold text-4xl tracking-[-0.03em]">Playground</h1>
+      <p className="mt-3 max-w-2xl text-pretty text-lg text-muted-foreground leading-relaxed">
+        Turn the props, watch the solver think, take the code. The address holds your settings: pass it on and
+        others see your pile.
+      </p>
+      <Playground />
+    </main>
+  )
+}

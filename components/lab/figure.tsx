@@ -1,0 +1,208 @@
+'use client'
+
+import { type ReactNode, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
+import { type Palette, paletteOf } from './draw'
+
+const stillMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches
+
+/**
+ * A picture with time to scrub: `draw` paints frame `at` into a canvas of `width` × `height` px, as wide as the column.
+ * It plays once when seen, unless the reader prefers reduced motion.
+ */
+export function Figure({
+  label,
+  width,
+  height,
+  frames,
+  draw,
+  readout,
+  children,
+  speed = 1,
+}: {
+  label: string
+  width: number
+  height: number
+  frames: number
+  draw: (context: CanvasRenderingContext2D, at: number, palette: Palette) => void
+  readout: (at: number) => ReactNode
+  children?: ReactNode
+  speed?: number
+}) {
+  const id = useId()
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const [at, setAt] = useState(0)
+  const [playing, setPlaying] = useState(false)
+  const [near, setNear] = useState(false)
+  const last = frames - 1
+  const shown = Math.min(at, last)
+
+  useLayoutEffect(() => {
+    const element = canvas.current!
+    if (!near) return
+    const paint = () => {
+      const scale = (element.clientWidth / width) * devicePixelRatio
+      if (scale === 0) return
+      element.width = Math.round(width * scale)
+      element.height = Math.round(height * scale)
+      const context = element.getContext('2d')!
+      context.scale(scale, scale)
+      draw(context, shown, paletteOf(element))
+    }
+    paint()
+    const resize = new ResizeObserver(paint)
+    resize.observe(element)
+    const theme = new MutationObserver(paint)
+    theme.observe(document.documentElement, { attributeFilter: ['class'] })
+    return () => {
+      resize.disconnect()
+      theme.disconnect()
+    }
+  })
+
+  // The solver runs for a figure when the reader comes near it, not while the page loads.
+  useEffect(() => {
+    const nearing = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry.isIntersecting) return
+        setNear(true)
+        nearing.disconnect()
+      },
+      { rootMargin: '300px' },
+    )
+    nearing.observe(canvas.current!)
+    return () => nearing.disconnect()
+  }, [])
+
+  useEffect(() => {
+    const seen = new IntersectionObserver(
+      ([entry]) => {
+        if (!entry.isIntersecting) return
+        if (!stillMotion()) setPlaying(true)
+        seen.disconnect()
+      },
+      { threshold: 0.6 },
+    )
+    seen.observe(canvas.current!)
+    return () => seen.disconnect()
+  }, [])
+
+  useEffect(() => {
+    if (!playing) return
+    let request = 0
+    let before = performance.now()
+    let due = 0
+    const tick = (now: number) => {
+      due += Math.min(0.1, (now - before) / 1000) * 60 * speed
+      before = now
+      const steps = Math.floor(due)
+      due -= steps
+      if (steps > 0) setAt((current) => Math.min(last, current + steps))
+      request = requestAnimationFrame(tick)
+    }
+    request = requestAnimationFrame(tick)
+    return () => cancelAnimationFrame(request)
+  }, [playing, last, speed])
+
+  useEffect(() => {
+    if (at >= last) setPlaying(false)
+  }, [at, last])
+
+  return (
+    <div data-slot="figure" className="overflow-hidden rounded-2xl border bg-panel">
+      <canvas
+        ref={canvas}
+        role="img"
+        aria-label={label}
+        style={{ aspectRatio: `${width} / ${height}` }}
+        className="block w-full border-b bg-stage"
+      />
+      <div className="space-y-4 p-4 text-sm">
+        <div className="flex items-center gap-3">
+          <button
+            type="button"
+            onClick={() => {
+              if (shown === last) setAt(0)
+              setPlaying(!playing)
+            }}
+            className="w-16 shrink-0 rounded-md bg-foreground px-3 py-1.5 font-medium text-background"
+          >
+            {playing ? 'Pause' : 'Play'}
+          </button>
+          <label htmlFor={`${id}-time`} className="sr-only">
+            Time
+          </label>
+          <input
+            id={`${id}-time`}
+            type="range"
+            min={0}
+            max={last}
+            value={shown}
+            aria-valuetext={`${(shown / 60).toFixed(2)} seconds`}
+            onChange={(event) => {
+              setPlaying(false)
+              setAt(Number(event.target.value))
+            }}
+            className="min-w-0 flex-1 accent-foreground"
+          />
+          <span className="w-14 shrink-0 text-right text-muted-foreground tabular-nums">
+            {(shown / 60).toFixed(2)} s
+          </span>
+        </div>
+        {children && <div className="flex flex-wrap items-end gap-x-6 gap-y-3">{children}</div>}
+        <div className="flex flex-wrap gap-x-6 gap-y-1 text-muted-foreground tabular-nums">
+          {near ? readout(shown) : <span>…</span>}
+        </div>
+      </div>
+    </div>
+  )
+}
+
+export function Slider({
+  label,
+  value,
+  min,
+  max,
+  step = 1,
+  unit = '',
+  onChange,
+}: {
+  label: string
+  value: number
+  min: number
+  max: number
+  step?: number
+  unit?: string
+  onChange: (value: number) => void
+}) {
+  const id = useId()
+  return (
+    <div className="min-w-40 flex-1">
+      <div className="flex justify-between gap-4">
+        <label htmlFor={id}>{label}</label>
+        <span className="text-muted-foreground tabular-nums">
+          {value}
+          {unit && ` ${unit}`}
+        </span>
+      </div>
+      <input
+        id={id}
+        type="range"
+        min={min}
+        max={max}
+        step={step}
+        value={value}
+        onChange={(event) => onChange(Number(event.target.value))}
+        className="mt-1 w-full accent-foreground"
+      />
+    </div>
+  )
+}
+
+/** One figure of a readout: what it is, then how much. */
+export function Value({ of, children }: { of: string; children: ReactNode }) {
+  return (
+    <span>
+      {of} <strong className="font-medium text-foreground">{children}</strong>
+    </span>
+  )
+}

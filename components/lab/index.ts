@@ -1,0 +1,6 @@
+export { FlightFigure } from './flight'
+export { FrictionFigure } from './friction'
+export { ImpactFigure } from './impact'
+export { IslandsFigure } from './islands'
+export { SagFigure } from './sag'
+export { SubstepsFigure } from './substeps'

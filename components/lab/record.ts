@@ -1,0 +1,40 @@
+import { createWorld, type WorldOptions } from '@/registry/gravity-stack/world'
+import { type Chip, frame } from '@/scenes/scene'
+
+export type State = {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
+/** A run of the solver to be scrubbed in both directions: the state of every chip, frame by frame from the start. */
+export type Recording = {
+  chips: Chip[]
+  frames: State[][]
+  /** Velocity sweeps that the whole run took. */
+  sweeps: number
+}
+
+/** Runs the component's own solver over `chips` and keeps every frame; `late` joins them in the air at its frame. */
+export function record(
+  options: WorldOptions,
+  chips: Chip[],
+  seconds: number,
+  late?: { chip: Chip; at: number },
+): Recording {
+  const world = createWorld(options)
+  const ids = chips.map((chip) => world.add(chip))
+  const frames: State[][] = []
+  let sweeps = 0
+  for (let n = 0; n <= Math.round(seconds / frame); n++) {
+    if (n === late?.at) ids.push(world.add(late.chip))
+    if (n > 0) world.step(frame)
+    if (n > 0) sweeps += world.stats.sweeps
+    frames.push(ids.map((id) => world.read(id)))
+  }
+  return { chips: late ? [...chips, late.chip] : chips, frames, sweeps }
+}

@@ -1,0 +1,423 @@
+'use client'
+
+import { cn } from 'cn'
+import {
+  type PointerEvent,
+  type ReactNode,
+  useEffect,
+  useId,
+  useLayoutEffect,
+  useMemo,
+  useRef,
+  useState,
+} from 'react'
+import {
+  chipsOf,
+  codeOf,
+  defaults,
+  fromQuery,
+  looks,
+  ranges,
+  type Settings,
+  shapes,
+  toQuery,
+} from '@/lib/playground'
+import { CopyButton } from './copy-button'
+import { drawChip, drawLine, paletteOf } from './lab/draw'
+import { createPile, type Pile } from './lab/pile'
+import { LiveCode } from './live-code'
+
+const speeds = [
+  { value: 1, label: '1×' },
+  { value: 0.25, label: '¼×' },
+  { value: 0.05, label: '1/20×' },
+]
+
+type Held = ReturnType<Pile['world']['grab']>
+
+/** What the solver did in the last step, and how long it took. */
+type Work = {
+  awake: number
+  pairs: number
+  contacts: number
+  islands: number
+  sweeps: number
+  micros: number
+  resting: boolean
+}
+const idle: Work = { awake: 0, pairs: 0, contacts: 0, islands: 0, sweeps: 0, micros: 0, resting: false }
+
+export function Playground() {
+  const [settings, setSettings] = useState<Settings>()
+  const [drop, setDrop] = useState(0)
+  const [playing, setPlaying] = useState(true)
+  const [speed, setSpeed] = useState(1)
+  const [overlay, setOverlay] = useState(false)
+  const [work, setWork] = useState(idle)
+  const stage = useRef<HTMLDivElement>(null)
+  const canvas = useRef<HTMLCanvasElement>(null)
+  const pile = useRef<Pile>(null)
+  const kick = useRef(() => {})
+
+  // The address is known in the browser only; until then the stage is empty.
+  useEffect(() => {
+    setSettings(fromQuery(location.search))
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches) setPlaying(false)
+  }, [])
+
+  const change = (next: Partial<Settings>) => {
+    const changed = { ...(settings ?? defaults), ...next }
+    setSettings(changed)
+    const query = toQuery(changed)
+    history.replaceState(history.state, '', query ? `?${query}` : location.pathname)
+  }
+
+  const ready = settings !== undefined
+  const now = settings ?? defaults
+  const { words, count, shape, look, gravity, bounce, friction, stagger, seed } = now
+  const chips = useMemo(
+    () => (ready ? chipsOf({ ...defaults, words, count, shape, look }) : []),
+    [ready, words, count, shape, look],
+  )
+  const code = codeOf(now)
+
+  function paint() {
+    const { world, ids, shapes: sizes } = pile.current!
+    const elements = stage.current!.querySelectorAll<HTMLElement>('[data-chip]')
+    world.eachMoved((id, x, y, angle) => {
+      const chip = ids.indexOf(id)
+      const { width, height } = sizes[chip]
+      elements[chip].style.transform =
+        `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
+    })
+    const element = canvas.current
+    if (!element) return
+    const scale = devicePixelRatio
+    element.width = element.clientWidth * scale
+    element.height = element.clientHeight * scale
+    const context = element.getContext('2d')!
+    context.scale(scale, scale)
+    const palette = paletteOf(element)
+    ids.forEach((id, chip) => {
+      const state = world.read(id)
+      const colour = state.asleep ? palette.muted : palette.alarm
+      drawChip(context, sizes[chip], state, { stroke: colour, dash: state.asleep ? [3, 3] : [] })
+      drawLine(
+        context,
+        [state.x, state.y],
+        [state.x + state.vx / 10, state.y + state.vy / 10],
+        palette.foreground,
+      )
+      context.fillStyle = palette.foreground
+      context.fillRect(state.x - 2, state.y - 2, 4, 4)
+    })
+  }
+
+  function step() {
+    const before = performance.now()
+    pile.current!.step()
+    const micros = (performance.now() - before) * 1000
+    setWork({ ...pile.current!.world.stats, micros, resting: pile.current!.resting })
+  }
+
+  // A new pile when its chips or their order change; `drop` counts the presses of the button.
+  // biome-ignore lint/correctness/useExhaustiveDependencies: gravity, bounce and friction change in place, below
+  useLayoutEffect(() => {
+    if (!settings) return
+    const element = stage.current!
+    const elements = [...element.querySelectorAll<HTMLElement>('[data-chip]')]
+    const sizes = elements.map((chip) => ({
+      width: chip.offsetWidth,
+      height: chip.offsetHeight,
+      radius: Number.parseFloat(getComputedStyle(chip.firstElementChild!).borderTopLeftRadius),
+    }))
+    for (const chip of elements) chip.style.transform = 'translateY(-200%)'
+    const { clientWidth: width, clientHeight: height } = element
+    pile.current = createPile({ width, height, gravity, bounce, friction, stagger, seed }, sizes)
+    setWork(idle)
+    kick.current()
+    const resize = new ResizeObserver(() => {
+      pile.current!.world.resize(element.clientWidth, element.clientHeight)
+      kick.current()
+    })
+    resize.observe(element)
+    return () => resize.disconnect()
+  }, [chips, stagger, seed, drop])
+
+  useEffect(() => {
+    pile.current?.world.configure({ gravity, bounce, friction })
+    kick.current()
+  }, [gravity, bounce, friction])
+
+  // biome-ignore lint/correctness/useExhaustiveDependencies: runs what it finds in the refs
+  useEffect(() => {
+    let request = 0
+    let before = 0
+    let due = 0
+    const tick = (time: number) => {
+      request = 0
+      due += before === 0 ? 1 : Math.min(3, ((time - before) / 1000) * 60 * speed)
+      before = time
+      for (; due >= 1; due--) step()
+      paint()
+      if (!pile.current!.resting) request = requestAnimationFrame(tick)
+      else before = 0
+    }
+    kick.current = () => {
+      if (playing && request === 0 && pile.current) {
+        before = 0
+        request = requestAnimationFrame(tick)
+      } else if (!playing && pile.current) paint()
+    }
+    kick.current()
+    return () => cancelAnimationFrame(request)
+  }, [playing, speed, overlay])
+
+  const holds = useRef(new Map<number, Held>())
+  const point = (event: PointerEvent): [number, number, number] => {
+    const box = stage.current!.getBoundingClientRect()
+    return [event.clientX - box.left, event.clientY - box.top, event.timeStamp / 1000]
+  }
+  function grab(event: PointerEvent<HTMLElement>, chip: number) {
+    const id = pile.current?.ids[chip]
+    if (!now.interactive || id === undefined || event.button !== 0) return
+    event.currentTarget.setPointerCapture(event.pointerId)
+    const [x, y] = point(event)
+    holds.current.set(event.pointerId, pile.current!.world.grab(id, x, y))
+    kick.current()
+  }
+  function letGo(event: PointerEvent) {
+    holds.current.get(event.pointerId)?.release()
+    holds.current.delete(event.pointerId)
+  }
+
+  const button =
+    'rounded-md border px-3 py-1.5 text-sm transition-colors hover:bg-muted aria-pressed:border-foreground aria-pressed:bg-foreground aria-pressed:text-background'
+
+  return (
+    <div className="mt-8 grid grid-cols-[minmax(0,1fr)] gap-6 lg:grid-cols-[minmax(0,1fr)_19rem]">
+      <div className="min-w-0 overflow-hidden rounded-2xl border bg-panel">
+        <div className="flex flex-wrap items-center gap-2 border-b p-3">
+          <button type="button" className={button} onClick={() => setDrop(drop + 1)}>
+            Drop
+          </button>
+          <button type="button" className={button} onClick={() => setPlaying(!playing)}>
+            {playing ? 'Pause' : 'Play'}
+          </button>
+          <button
+            type="button"
+            className={button}
+            onClick={() => {
+              setPlaying(false)
+              step()
+              paint()
+            }}
+          >
+            Step
+          </button>
+          <fieldset className="ml-auto flex items-center gap-2">
+            <legend className="sr-only">Speed</legend>
+            {speeds.map(({ value, label }) => (
+              <button
+                key={value}
+                type="button"
+                className={button}
+                aria-label={`Speed ${label}`}
+                aria-pressed={speed === value}
+                onClick={() => setSpeed(value)}
+              >
+                {label}
+              </button>
+            ))}
+          </fieldset>
+          <button
+            type="button"
+            className={button}
+            aria-pressed={overlay}
+            onClick={() => setOverlay(!overlay)}
+          >
+            Overlay
+          </button>
+        </div>
+        <div
+          ref={stage}
+          data-slot="playground-stage"
+          data-state={work.resting ? 'resting' : playing ? 'running' : 'paused'}
+          className="relative isolate h-[26rem] overflow-clip bg-stage contain-strict"
+        >
+          {chips.map(({ word, className }, chip) => (
+            <div
+              // biome-ignore lint/suspicious/noArrayIndexKey: words may repeat, and chips have no other name
+              key={`${className} ${chip}`}
+              data-chip
+              onPointerDown={(event) => grab(event, chip)}
+              onPointerMove={(event) => holds.current.get(event.pointerId)?.moveTo(...point(event))}
+              onPointerUp={letGo}
+              onPointerCancel={letGo}
+              onLostPointerCapture={letGo}
+              className={cn(
+                'absolute top-0 left-0 flex w-max select-none',
+                now.interactive && 'cursor-grab touch-none active:cursor-grabbing',
+              )}
+            >
+              <span className={className}>{word}</span>
+            </div>
+          ))}
+          {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
+        </div>
+        <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
+          {Object.entries({
+            awake: work.resting ? 0 : work.awake,
+            pairs: work.pairs,
+            contacts: work.contacts,
+            islands: work.islands,
+            sweeps: work.sweeps,
+            'µs this step': Math.round(work.micros),
+          }).map(([name, value]) => (
+            <div key={name} className="flex gap-2">
+              <dt>{name}</dt>
+              <dd className="min-w-6 font-medium text-foreground">{value}</dd>
+            </div>
+          ))}
+        </dl>
+        <div className="code relative border-t">
+          <CopyButton className="absolute top-1.5 right-3 bg-panel" />
+          <div className="[&>pre]:max-h-96">
+            <LiveCode code={code} />
+          </div>
+        </div>
+      </div>
+
+      <form
+        aria-label="Settings"
+        onSubmit={(event) => event.preventDefault()}
+        className="flex flex-col gap-5 self-start rounded-2xl border bg-panel p-5 text-sm"
+      >
+        <Field label="Words, with commas between">
+          {(id) => (
+            <textarea
+              id={id}
+              rows={3}
+              maxLength={500}
+              value={words}
+              onChange={(event) => change({ words: event.target.value })}
+              className="w-full resize-y rounded-md border bg-background px-3 py-2"
+            />
+          )}
+        </Field>
+        <Choice label="Shape" value={shape} options={shapes} onChange={(value) => change({ shape: value })} />
+        <Choice label="Look" value={look} options={looks} onChange={(value) => change({ look: value })} />
+        <Range of="count" label="Chips" value={count} onChange={change} />
+        <Range of="gravity" label="gravity" unit="px/s²" value={gravity} onChange={change} />
+        <Range of="bounce" label="bounce" value={bounce} onChange={change} />
+        <Range of="friction" label="friction" value={friction} onChange={change} />
+        <Range of="stagger" label="stagger" unit="ms" value={stagger} onChange={change} />
+        <Range of="seed" label="Seed" value={seed} onChange={change} />
+        <label className="flex items-center gap-3">
+          <input
+            type="checkbox"
+            checked={now.interactive}
+            onChange={(event) => change({ interactive: event.target.checked })}
+            className="size-4 accent-foreground"
+          />
+          interactive
+        </label>
+        <button
+          type="button"
+          className={button}
+          onClick={() => {
+            change(defaults)
+            setSpeed(1)
+            setOverlay(false)
+            setPlaying(true)
+            setDrop(drop + 1)
+          }}
+        >
+          Reset
+        </button>
+      </form>
+    </div>
+  )
+}
+
+function Field({ label, children }: { label: ReactNode; children: (id: string) => ReactNode }) {
+  const id = useId()
+  return (
+    <div className="flex flex-col gap-1.5">
+      <label htmlFor={id} className="flex justify-between gap-4">
+        {label}
+      </label>
+      {children(id)}
+    </div>
+  )
+}
+
+function Range({
+  of,
+  label,
+  unit,
+  value,
+  onChange,
+}: {
+  of: keyof typeof ranges
+  label: string
+  unit?: string
+  value: number
+  onChange: (next: Partial<Settings>) => void
+}) {
+  const [min, max, step] = ranges[of]
+  return (
+    <Field
+      label={
+        <>
+          <span>{label}</span>
+          <span className="text-muted-foreground tabular-nums">
+            {value} {unit}
+          </span>
+        </>
+      }
+    >
+      {(id) => (
+        <input
+          id={id}
+          type="range"
+          min={min}
+          max={max}
+          step={step}
+          value={value}
+          onChange={(event) => onChange({ [of]: Number(event.target.value) })}
+          className="w-full accent-foreground"
+        />
+      )}
+    </Field>
+  )
+}
+
+function Choice<Value extends string>({
+  label,
+  value,
+  options,
+  onChange,
+}: {
+  label: string
+  value: Value
+  options: readonly Value[]
+  onChange: (value: Value) => void
+}) {
+  return (
+    <Field label={label}>
+      {(id) => (
+        <select
+          id={id}
+          value={value}
+          onChange={(event) => onChange(event.target.value as Value)}
+          className="w-full rounded-md border bg-background px-3 py-2"
+        >
+          {options.map((option) => (
+            <option key={option}>{option}</option>
+          ))}
+        </select>
+      )}
+    </Field>
+  )
+}
