@@ -3,7 +3,6 @@ import { docsCode, expect, expectPile, item, test, viteProject } from './project
 // npm itself is in the other tests.
 const managers = [
   { name: 'pnpm', version: '12.21.0', lockfile: 'pnpm-lock.yaml' },
-  { name: 'yarn', version: '1.22.22', lockfile: 'yarn.lock' },
   { name: 'bun', version: '1.4.5', lockfile: 'bun.lock' },
 ]
 

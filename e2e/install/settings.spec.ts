@@ -131,7 +131,8 @@ export function cn(...inputs: ClassValue[]) {
   return twMerge(clsx(inputs))
 }
 `,
-    'index.html': '<!doctype html><div id="root"></div><script type="module" src="/src/main.tsx"></script>\n',
+    'index.html':
+      '<!doctype html><link rel="icon" href="data:,"><div id="root"></div><script type="module" src="/src/main.tsx"></script>\n',
     'src/vite-env.d.ts': '/// <reference types="vite/client" />\n',
     'src/main.tsx': `import { createRoot } from 'react-dom/client'
 import App from './App'

@@ -209,7 +209,7 @@ export function createStage(root: HTMLElement): Stage {
   })
 
   function collect() {
-    for (const element of root.children) {
+    for (const element of Array.from(root.children)) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       const chip = { element, state: 'waiting', width: 0, id: -1 } as unknown as Chip
       chips.set(element, chip)
@@ -430,6 +430,7 @@ export function createStage(root: HTMLElement): Stage {
         toFront(chip)
         // Nobody can use what still waits out of sight.
         if (!queue.includes(chip)) return
+        root.scrollIntoView({ block: 'nearest' })
         started = true
         chip.due = clock
         awaited = undefined
@@ -536,7 +537,8 @@ export function createStage(root: HTMLElement): Stage {
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(event.pointerId)
       press.moved = true
       try {
-        press.chip.element.setPointerCapture(event.pointerId)
+        // A finger is captured by what it touched from the start.
+        if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
       } catch {
         // The pointer is gone already, or a script made it up.
       }
