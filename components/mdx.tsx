@@ -4,13 +4,17 @@ import * as React from 'react'
 import * as runtime from 'react/jsx-runtime'
 import * as ReactDOM from 'react-dom'
 import { siteUrl } from '@/site.config.mjs'
+import { Changelog } from './changelog'
 import { Command } from './command'
 import { ComponentPreview } from './component-preview'
 import { ComponentSource } from './component-source'
 import { CopyButton } from './copy-button'
+import { ElevationLadder } from './elevation-ladder'
 import { Install, InstallWay } from './install'
 import * as figures from './lab'
 import { PropsTable } from './props-table'
+import { ScenesTable } from './scenes-table'
+import { ScrollTable } from './scroll-table'
 
 /** A heading whose words are a link to itself. */
 function heading(Tag: 'h2' | 'h3' | 'h4') {
@@ -26,7 +30,7 @@ function heading(Tag: 'h2' | 'h3' | 'h4') {
   )
 }
 
-const components = {
+const components: Record<string, unknown> = {
   ...figures,
   h2: heading('h2'),
   h3: heading('h3'),
@@ -48,27 +52,24 @@ const components = {
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a block that scrolls must be reachable
     <pre tabIndex={0}>{children}</pre>
   ),
-  table: (props: ComponentProps<'table'>) => (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
-    // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
-    <div role="region" aria-label="Table" tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
-      <table className="w-full text-left text-sm" {...props} />
-    </div>
-  ),
+  table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
   tr: (props: ComponentProps<'tr'>) => <tr className="border-b last:border-0" {...props} />,
   th: (props: ComponentProps<'th'>) => (
     <th scope="col" className="px-4 py-2.5 font-medium text-muted-foreground" {...props} />
   ),
   td: (props: ComponentProps<'td'>) => <td className="min-w-28 px-4 py-2.5 align-baseline" {...props} />,
+  Changelog: () => <Changelog components={components as never} />,
   Command,
   AddCommand: ({ name }: { name: string }) => (
     <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />
   ),
   ComponentPreview,
   ComponentSource,
+  ElevationLadder,
   Install,
   InstallWay,
   PropsTable,
+  ScenesTable,
 }
 
 /** Runs the function body that contentlayer compiles a page to. On the server only: no MDX reaches the browser. */

@@ -1,43 +1,40 @@
 import { readProps } from '@/lib/props'
+import { ScrollTable } from './scroll-table'
 
 /** Generated from the JSDoc of `GravityStackProps` at build time. */
 export function PropsTable() {
   return (
-    // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
-    // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
-    <div role="region" aria-label="Props" tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
-      <table className="w-full text-left text-sm">
-        <thead>
-          <tr className="border-b text-muted-foreground">
-            <th scope="col" className="px-4 py-2.5 font-medium">
-              Prop
+    <ScrollTable label="Props">
+      <thead>
+        <tr className="border-b text-muted-foreground">
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            Prop
+          </th>
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            Type
+          </th>
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            Default
+          </th>
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            What it does
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {readProps().map((prop) => (
+          <tr key={prop.name} className="border-b align-baseline last:border-0">
+            <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
+              {prop.name}
             </th>
-            <th scope="col" className="px-4 py-2.5 font-medium">
-              Type
-            </th>
-            <th scope="col" className="px-4 py-2.5 font-medium">
-              Default
-            </th>
-            <th scope="col" className="px-4 py-2.5 font-medium">
-              What it does
-            </th>
+            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">{prop.type}</td>
+            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">
+              {prop.fallback ?? '–'}
+            </td>
+            <td className="min-w-56 px-4 py-3">{prop.description}</td>
           </tr>
-        </thead>
-        <tbody>
-          {readProps().map((prop) => (
-            <tr key={prop.name} className="border-b align-baseline last:border-0">
-              <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
-                {prop.name}
-              </th>
-              <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">{prop.type}</td>
-              <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">
-                {prop.fallback ?? '–'}
-              </td>
-              <td className="min-w-56 px-4 py-3">{prop.description}</td>
-            </tr>
-          ))}
-        </tbody>
-      </table>
-    </div>
+        ))}
+      </tbody>
+    </ScrollTable>
   )
 }

@@ -2,7 +2,7 @@ import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { siteUrl } from '@/site.config.mjs'
 import { readProps } from './props'
-import { exampleSource } from './source'
+import { changelog, exampleSource } from './source'
 
 const fence = (lang: string, code: string, title?: string) =>
   `\`\`\`${lang}${title ? ` title="${title}"` : ''}\n${code.trimEnd()}\n\`\`\``
@@ -10,11 +10,14 @@ const fence = (lang: string, code: string, title?: string) =>
 /** What each component of a page becomes in Markdown; '' for what only a browser can show. */
 const parts: Record<string, (attributes: Record<string, string>) => string> = {
   AddCommand: ({ name }) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`),
+  Changelog: changelog,
   Command: ({ add, run }) => fence('bash', add ? `npm install ${add}` : `npx ${run}`),
   ComponentPreview: ({ name }) => fence('tsx', exampleSource(name), `${name}.tsx`),
   ComponentSource: () => `The whole file: ${siteUrl}/source/gravity-stack.tsx.txt`,
+  ElevationLadder: () => '',
   Install: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
+  ScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   PropsTable: () => {
     const cell = (text: string) => text.replaceAll('|', '\\|')
     const rows = readProps().map(

@@ -12,3 +12,6 @@ export const componentFile = 'components/ui/gravity-stack.tsx'
 export const componentSource = () => read(componentFile)
 
 export const exampleSource = (name: string) => read('registry', 'examples', `${name}.tsx`)
+
+/** CHANGELOG.md below its title. */
+export const changelog = () => read('CHANGELOG.md').replace(/^# .+\n/, '')

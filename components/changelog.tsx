@@ -1,0 +1,21 @@
+import { evaluate } from '@mdx-js/mdx'
+import type { ComponentProps, ComponentType } from 'react'
+import * as runtime from 'react/jsx-runtime'
+import rehypePrettyCode from 'rehype-pretty-code'
+import rehypeSlug from 'rehype-slug'
+import { codeTheme } from '@/lib/code-theme'
+import { changelog } from '@/lib/source'
+
+/** CHANGELOG.md without its title, which is the page's. */
+export async function Changelog({ components }: { components: Record<string, ComponentType<never>> }) {
+  const { default: Content } = await evaluate(changelog(), {
+    ...(runtime as Parameters<typeof evaluate>[1]),
+    format: 'md',
+    rehypePlugins: [rehypeSlug, [rehypePrettyCode, { theme: codeTheme, keepBackground: false }]],
+  })
+  return (
+    <div className="prose">
+      <Content components={components as ComponentProps<typeof Content>['components']} />
+    </div>
+  )
+}
