@@ -1,17 +1,46 @@
 // Builds the registry into public/r from registry.json and the files it names.
-//   node scripts/registry.mjs           writes public/r
+//   node scripts/registry.mjs [folder]  writes public/r, or into that folder
 //   node scripts/registry.mjs --check   fails when public/r isn't what a fresh build gives
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import postcss from 'postcss'
 import { siteUrl, version } from '../site.config.mjs'
 import { isMain, must, root } from './run.mjs'
 
+const index = join(root, 'registry.json')
 const served = join(root, 'public/r')
+
+/** The custom properties of the site's own elevation ladder, as an item's `cssVars`. */
+async function elevation() {
+  const cssVars = { theme: {}, light: {}, dark: {} }
+  const { nodes } = postcss.parse(await readFile(join(root, 'app/elevation.css'), 'utf8'))
+  for (const node of nodes) {
+    const part = node.name === 'theme' ? 'theme' : node.selector === '.dark' ? 'dark' : 'light'
+    node.walkDecls?.(({ prop, value }) => {
+      cssVars[part][prop.replace('--', '')] = value.replace(/\s+/g, ' ')
+    })
+  }
+  return cssVars
+}
+
+/** Brings the stylesheet's tokens into registry.json, and says whether they were other ones. */
+async function takeTokens({ write }) {
+  const registry = JSON.parse(await readFile(index, 'utf8'))
+  const item = registry.items.find(({ name }) => name === 'elevation')
+  const tokens = await elevation()
+  if (JSON.stringify(item.cssVars) === JSON.stringify(tokens)) return false
+  if (write) {
+    item.cssVars = tokens
+    await writeFile(index, JSON.stringify(registry))
+    await must('biome', ['format', '--write', index])
+  }
+  return true
+}
 
 /** registry.json as it is committed, with the address of this build and the package's version. */
 async function source() {
-  const registry = JSON.parse(await readFile(join(root, 'registry.json'), 'utf8'))
+  const registry = JSON.parse(await readFile(index, 'utf8'))
   const text = JSON.stringify(registry).replaceAll(registry.homepage, siteUrl)
   const { items, ...rest } = JSON.parse(text)
   return { ...rest, items: items.map((item) => ({ ...item, meta: { ...item.meta, version } })) }
@@ -33,8 +62,9 @@ const readAll = async (folder) => {
   )
 }
 
-/** The names of served files that a fresh build would change, add or drop. */
+/** The names of files that a fresh build would change, add or drop. */
 export async function staleFiles() {
+  if (await takeTokens({ write: false })) return ['registry.json']
   const fresh = await mkdtemp(join(tmpdir(), 'registry-'))
   await buildRegistry(fresh)
   const [now, then] = [await readAll(fresh), await readAll(served)]
@@ -43,13 +73,15 @@ export async function staleFiles() {
 }
 
 if (isMain(import.meta.url)) {
-  if (process.argv.includes('--check')) {
+  const [argument] = process.argv.slice(2)
+  if (argument === '--check') {
     const stale = await staleFiles()
     if (stale.length > 0) {
-      console.error(`Out of date in public/r: ${stale.join(', ')}. Run: npm run registry`)
+      console.error(`Out of date: ${stale.join(', ')}. Run: npm run registry`)
       process.exit(1)
     }
   } else {
-    await buildRegistry()
+    await takeTokens({ write: true })
+    await buildRegistry(argument)
   }
 }

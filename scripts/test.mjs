@@ -66,6 +66,7 @@ await check('Code is formatted and clean', ['biome', 'check'])
 await check('The one file is what its rooms assemble to', ['node', 'scripts/assemble.mjs', '--check'])
 await check('The registry is valid', ['shadcn', 'registry', 'validate'])
 await check('The served registry is what a fresh build gives', ['node', 'scripts/registry.mjs', '--check'])
+await check('The one file holds in the strictest projects', ['tsc', '-p', 'tsconfig.strictest.json'])
 await check('Types hold', ['contentlayer2', 'build'], ['next', 'typegen'], ['tsc', '--noEmit'])
 
 const unitReport = join(reports, 'vitest.json')
