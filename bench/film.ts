@@ -1,11 +1,11 @@
 import { Film, type Scene } from '../scenes/scene'
 import type { Engine, Setting } from './engine'
 
-/** Runs a scene and keeps every frame, and what the engine says it did per frame. */
+/** Runs a scene and keeps every frame, and the sum of what the engine says it did. */
 export function filmScene(engine: Engine, scene: Scene, setting: Setting, seed = 1) {
   const film = new Film(scene, scene.build(seed))
   const run = engine.start(scene, film.chips, setting, false)
-  let work: Record<string, number> = {}
+  const work: Record<string, number> = {}
   try {
     for (let k = 1; k <= film.frames; k++) {
       run.step()
@@ -15,7 +15,6 @@ export function filmScene(engine: Engine, scene: Scene, setting: Setting, seed =
   } finally {
     run.free()
   }
-  work = Object.fromEntries(Object.entries(work).map(([key, value]) => [key, value / film.frames]))
   return { film, work }
 }
 

@@ -3,6 +3,7 @@
 //   npm run bench -- --quick          a few scenes and settings, under a minute, writes nothing
 //   npm run bench -- --scene pour,stack --engine ours,planck
 //   npm run bench -- --errors         errors alone, which are kept for the next run: they never change by themselves
+//   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
 //   npm run bench -- --fresh          forgets what an interrupted run had measured
 import { createHash } from 'node:crypto'
 import {
@@ -24,7 +25,7 @@ import { type Engine, type Setting, settingName } from './engine'
 import { engineNames, loadEngine } from './engines'
 import { median } from './film'
 import { type Cost, type Job, medianCost } from './job'
-import { type ErrorRow, ours, type PourCostRow, type Results, type SceneCostRow, verdicts } from './results'
+import { type ErrorRow, ours, type PourCostRow, type Results, type SceneCostRow, verdicts } from './report'
 import { bundleChild, type Outcome, root, runJob } from './run-job'
 
 const { values: options } = parseArgs({
@@ -33,6 +34,7 @@ const { values: options } = parseArgs({
     engine: { type: 'string' },
     quick: { type: 'boolean', default: false },
     errors: { type: 'boolean', default: false },
+    out: { type: 'string' },
     fresh: { type: 'boolean', default: false },
     rounds: { type: 'string', default: '3' },
   },
@@ -71,15 +73,19 @@ function readCache(file: string) {
 
 const done = new Map([...readCache(errorCache), ...readCache(partial)])
 
+// What an engine's errors depend on.
+const judges = ['exact-distance', 'scene', 'seeded', 'references', 'residual', 'exact', 'piles']
+
 function sourceHash(name: string) {
   const hash = createHash('sha1')
-  const folders = ['scenes', 'bench/engines', ...(name === ours ? ['registry/gravity-stack'] : [])]
-  for (const folder of folders) {
-    for (const file of readdirSync(join(root, folder)).sort()) {
-      if (file.endsWith('.ts') && !file.endsWith('.test.ts'))
-        hash.update(readFileSync(join(root, folder, file)))
+  const read = (folder: string, keep: (file: string) => boolean) => {
+    for (const file of readdirSync(join(root, folder)).sort().filter(keep)) {
+      hash.update(readFileSync(join(root, folder, file)))
     }
   }
+  read('scenes', (file) => judges.includes(file.replace(/\.ts$/, '')))
+  if (name === ours) read('registry/gravity-stack', (file) => /^[a-z]+\.ts$/.test(file))
+  else read('bench/engines', (file) => file !== 'ours.ts' && file !== 'index.ts')
   return hash.digest('hex').slice(0, 12)
 }
 
@@ -366,8 +372,8 @@ if (engines.some((engine) => engine.name === ours)) {
   }
 }
 
-if (!quick && !part) {
-  const folder = join(root, 'bench/results')
+if (options.out || (!quick && !part)) {
+  const folder = options.out ?? join(root, 'bench/results')
   mkdirSync(folder, { recursive: true })
   writeFileSync(join(folder, 'results.json'), `${JSON.stringify(results, null, 1)}\n`)
   const quote = (text: string) => `"${text}"`
@@ -414,7 +420,7 @@ if (!quick && !part) {
     join(folder, 'costs.csv'),
     `${['engine,setting,chips,mean_us,pour_us,settled_us,p50_us,p95_us,worst_us,spread,reason', ...costLines].join('\n')}\n`,
   )
-  rmSync(partial, { force: true })
-  console.log('\nwritten: bench/results/results.json, errors.csv, costs.csv')
+  if (!options.out) rmSync(partial, { force: true })
+  console.log(`\nwritten: results.json, errors.csv and costs.csv in ${folder}`)
 }
 process.exit(0)
