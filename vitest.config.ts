@@ -5,6 +5,7 @@ export default defineConfig({
   resolve: { alias: { '@': fileURLToPath(new URL('.', import.meta.url)).replace(/\/$/, '') } },
   test: {
     include: ['**/*.test.{ts,tsx}'],
+    testTimeout: 60_000,
     exclude: [...configDefaults.exclude, 'out/**', '.next/**', 'e2e/**'],
   },
 })
