@@ -54,7 +54,7 @@ const shapeClasses = {
   pills: 'rounded-full px-4 py-2',
   cards: 'rounded-xl px-4 py-3',
   boxes: 'px-4 py-2',
-  discs: 'grid size-20 place-items-center rounded-full text-xs',
+  discs: 'grid size-20 place-items-center rounded-full',
 }
 
 const tints = [
@@ -73,42 +73,64 @@ const looksOf = {
 
 const kinds = ['pills', 'cards', 'discs', 'boxes'] as const
 
-/** The chips that the settings ask for; the words are repeated until there are enough. */
-export function chipsOf({ words, count, shape, look }: Settings): { word: string; className: string }[] {
+function listOf(words: string): string[] {
   const list = words
     .split(',')
     .map((word) => word.trim())
     .filter(Boolean)
-  if (list.length === 0) list.push('chip')
-  return Array.from({ length: count }, (_, index) => {
-    const kind = shape === 'mixed' ? kinds[index % kinds.length] : shape
-    const colours = looksOf[look]
-    return {
-      word: list[index % list.length],
-      className: `${shapeClasses[kind]} text-sm font-medium ${colours[index % colours.length]}`,
-    }
-  })
+  return list.length > 0 ? list : ['chip']
 }
+
+/** The class names that chips take in turn: of the shape, and of the colour. */
+function classesOf({ shape, look }: Pick<Settings, 'shape' | 'look'>) {
+  const forms = shape === 'mixed' ? kinds.map((kind) => shapeClasses[kind]) : [shapeClasses[shape]]
+  return { forms, colours: looksOf[look] }
+}
+
+/** The chips that the settings ask for; the words are repeated until there are enough. */
+export function chipsOf(settings: Pick<Settings, 'words' | 'count' | 'shape' | 'look'>) {
+  const list = listOf(settings.words)
+  const { forms, colours } = classesOf(settings)
+  return Array.from({ length: settings.count }, (_, index) => ({
+    word: list[index % list.length],
+    className: `text-sm font-medium ${forms[index % forms.length]} ${colours[index % colours.length]}`,
+  }))
+}
+
+const quoted = (text: string) => `'${text.replace(/[\\']/g, '\\$&')}'`
 
 /** The module that makes this pile, ready to be pasted. */
 export function codeOf(settings: Settings): string {
-  const chips = chipsOf(settings)
+  const list = listOf(settings.words)
+  const { forms, colours } = classesOf(settings)
   const props = (['gravity', 'bounce', 'friction', 'stagger', 'interactive'] as const)
     .filter((prop) => settings[prop] !== defaults[prop])
     .map((prop) => ` ${prop}={${settings[prop]}}`)
-  const rows = chips.map(({ word, className }) => `  [${JSON.stringify(word)}, '${className}'],`)
+
+  const lists = { words: list, ...(forms.length > 1 && { forms }), ...(colours.length > 1 && { colours }) }
+  const declarations = Object.entries(lists).map(([name, items]) =>
+    name === 'words'
+      ? `const words = [${items.map(quoted).join(', ')}]`
+      : `const ${name} = [\n${items.map((item) => `  ${quoted(item)},`).join('\n')}\n]`,
+  )
+  const one = (name: string, items: string[]) =>
+    items.length > 1 ? `\${${name}[index % ${name}.length]}` : items[0]
+  const className = `text-sm font-medium ${one('forms', forms)} ${one('colours', colours)}`
+  const attribute = className.includes('${') ? `{\`${className}\`}` : `"${className}"`
+
   return `import { GravityStack } from '@/components/ui/gravity-stack'
 
-const chips = [
-${rows.join('\n')}
-]
+${declarations.join('\n\n')}
 
 export function Pile() {
   return (
     <GravityStack${props.join('')} className="h-96">
-      {chips.map(([word, className], index) => (
-        <span key={index} className={className}>
-          {word}
+      {Array.from({ length: ${settings.count} }, (_, index) => (
+        <span
+          key={index}
+          className=${attribute}
+        >
+          {words[index % words.length]}
         </span>
       ))}
     </GravityStack>

@@ -12,7 +12,7 @@ const struckShape = { width: 260, height: 44, radius: 22 }
 const strikerShape = { width: 90, height: 40, radius: 20 }
 const conditions = {
   width: 640,
-  height: 380,
+  height: 460,
   gravity: 0,
   friction: 0,
   linearDamping: 0,
@@ -29,8 +29,8 @@ export function ImpactFigure() {
       record(
         { ...conditions, bounce },
         [
-          { ...struckShape, x: 320, y: 150, angle: 0 },
-          { ...strikerShape, x: 320 + arm, y: 320, angle: -Math.PI / 2, vy: -speed },
+          { ...struckShape, x: 320, y: 240, angle: 0 },
+          { ...strikerShape, x: 320 + arm, y: 400, angle: -Math.PI / 2, vy: -speed },
         ],
         frames / 60,
       ),
@@ -42,13 +42,13 @@ export function ImpactFigure() {
     <Figure
       label="One chip strikes the side of another, away from its centre: it moves off and turns."
       width={640}
-      height={380}
+      height={460}
       frames={frames}
       speed={0.5}
       draw={(context, at, palette) => {
         const [struck, striker] = film().frames[at]
-        drawLine(context, [320, 0], [320, 380], palette.border)
-        drawLine(context, [320 + arm, 0], [320 + arm, 380], palette.border, [4, 4])
+        drawLine(context, [320, 0], [320, 460], palette.border)
+        drawLine(context, [320 + arm, 0], [320 + arm, 460], palette.border, [4, 4])
         drawChip(context, struckShape, struck, { fill: chipColours[3], mark: true })
         drawChip(context, strikerShape, striker, { fill: chipColours[0], mark: true })
       }}

@@ -1,0 +1,96 @@
+import { execFileSync } from 'node:child_process'
+import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+import { createElement, type FunctionComponent } from 'react'
+import { renderToStaticMarkup } from 'react-dom/server'
+import { expect, test } from 'vitest'
+import { demos } from '@/components/demos'
+import { heroSnippets } from '@/lib/hero-snippets'
+import { codeOf, defaults } from '@/lib/playground'
+
+const root = process.cwd()
+const folder = join(root, '.contentlayer/samples')
+
+/** A sample that is no module of its own, such as a bit of JSX, in the module its reader would put it in. */
+function asModule(code: string) {
+  if (/^(import|export|'use client')/m.test(code)) return code
+  const at = code.search(/^</m)
+  return `import { useRef } from 'react'
+import { GravityStack, type GravityStackActions } from '@/components/ui/gravity-stack'
+
+const words = ['one', 'two']
+const chips = words.map((word) => <span key={word}>{word}</span>)
+
+export function Sample() {
+  ${code.slice(0, at)}
+  return <>${code.slice(at)}</>
+}
+
+export const used = { useRef, chips, action: null as GravityStackActions | null, GravityStack }
+`
+}
+
+const fences = (name: string, text: string) =>
+  [...text.matchAll(/^```tsx[^\n]*\n([\s\S]*?)^```$/gm)].map(
+    ([, code], index) => [`${name}-${index + 1}`, code] as const,
+  )
+
+const samples = new Map([
+  ...fences('readme', readFileSync('README.md', 'utf8')),
+  ...readdirSync('content/docs').flatMap((file) =>
+    fences(file.replace('.mdx', ''), readFileSync(join('content/docs', file), 'utf8')),
+  ),
+  ...Object.entries(heroSnippets).map(([effect, code]) => [`home-${effect}`, code] as const),
+  ['playground', codeOf(defaults)],
+  ['playground-mixed', codeOf({ ...defaults, shape: 'mixed', words: "it's, \\, `$(x)`", gravity: 900 })],
+  ['playground-ink', codeOf({ ...defaults, look: 'ink', interactive: false })],
+])
+
+rmSync(folder, { recursive: true, force: true })
+mkdirSync(folder, { recursive: true })
+for (const [name, code] of samples) writeFileSync(join(folder, `${name}.tsx`), asModule(code))
+writeFileSync(
+  join(folder, 'tsconfig.json'),
+  JSON.stringify({
+    extends: '../../tsconfig.json',
+    compilerOptions: { incremental: false, paths: { '@/*': ['../../*'] } },
+    include: ['*.tsx', '../../registry/examples/*.tsx'],
+  }),
+)
+
+test('every code sample on the site and in the README typechecks', () => {
+  let complaints = ''
+  try {
+    execFileSync(join(root, 'node_modules/.bin/tsc'), ['-p', folder], { encoding: 'utf8' })
+  } catch (error) {
+    complaints = (error as { stdout: string }).stdout
+  }
+  expect(complaints).toBe('')
+}, 60_000)
+
+for (const name of samples.keys()) {
+  test(`the code sample ${name} renders`, async () => {
+    const module: Record<string, unknown> = await import(/* @vite-ignore */ join(folder, `${name}.tsx`))
+    const components = Object.values(module).filter((value) => typeof value === 'function')
+    expect(components).not.toHaveLength(0)
+    for (const component of components) {
+      const props = { words: ['one', 'two'], children: 'words' }
+      expect(renderToStaticMarkup(createElement(component as FunctionComponent<object>, props))).toContain(
+        '<',
+      )
+    }
+  })
+}
+
+test('every example of the registry is on the site', () => {
+  const files = readdirSync('registry/examples').map((file) => file.replace('.tsx', ''))
+  expect(Object.keys(demos).sort()).toEqual(files.sort())
+  const page = readFileSync('content/docs/gravity-stack.mdx', 'utf8')
+  for (const name of files) expect(page).toContain(`<ComponentPreview name="${name}" />`)
+})
+
+for (const [name, Demo] of Object.entries(demos)) {
+  test(`the example ${name} renders its chips on the server`, () => {
+    expect(renderToStaticMarkup(createElement(Demo))).toContain('data-slot="gravity-stack-chip"')
+  })
+}
