@@ -34,28 +34,43 @@ function quantile(values: Float64Array, q: number) {
   return values.slice().sort()[Math.min(values.length - 1, Math.floor(q * values.length))]
 }
 
+/**
+ * Microseconds of each chunk of frames, the same run played three times over and the median taken chunk by chunk:
+ * what else the machine does hits one run here and another there. Runs of seconds are played once.
+ */
+function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number, chunk: number) {
+  const chunks = Math.round((scene.seconds * 60) / chunk)
+  const runs: Float64Array[] = []
+  let total = 0
+  do {
+    const times = new Float64Array(chunks)
+    const run = engine.start(scene, scene.build(seed), setting, false)
+    for (let k = 0; k < chunks; k++) {
+      const start = performance.now()
+      for (let i = 0; i < chunk; i++) run.step()
+      times[k] = ((performance.now() - start) * 1000) / chunk
+    }
+    run.free()
+    runs.push(times)
+    total = times.reduce((sum, time) => sum + time * chunk, 0)
+  } while (runs.length < 3 && total < 2e6)
+  return runs[0].map((_, k) => median(runs.map((run) => run[k])))
+}
+
 /** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
 function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost {
   const scene = pourScene(job.chips, job.shape)
-  const times = new Float64Array(frames)
-  const pour = (seed: number) => {
-    const run = engine.start(scene, scene.build(seed), job.setting, false)
-    for (let k = 0; k < frames; k++) {
-      const start = performance.now()
-      run.step()
-      times[k] = (performance.now() - start) * 1000
-    }
-    run.free()
-  }
-  const warmUntil = performance.now() + job.milliseconds / 3
+  const begin = performance.now()
   let warm = 0
-  do pour(101 + (warm++ % 3))
-  while (performance.now() < warmUntil && warm < 40)
+  do {
+    const run = engine.start(scene, scene.build(101 + (warm++ % 3)), job.setting, false)
+    for (let k = 0; k < frames && performance.now() - begin < job.milliseconds; k++) run.step()
+    run.free()
+  } while (performance.now() - begin < job.milliseconds / 2 && warm < 40)
   const costs: Cost[] = []
   const until = performance.now() + job.milliseconds
-  let seed = 0
   do {
-    pour(1 + (seed++ % 12))
+    const times = playThrice(engine, scene, job.setting, 1 + (costs.length % 12), 1)
     costs.push({
       mean: mean(times),
       pour: mean(times.subarray(0, pourFrames)),
@@ -64,34 +79,28 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
       p95: quantile(times, 0.95),
       worst: quantile(times, 1),
     })
-  } while (performance.now() < until && seed < 60)
+  } while (performance.now() < until && costs.length < 12)
   return medianCost(costs)
 }
 
-/** Microseconds per frame over a whole scene, for each setting; settings take turns. */
+/** Microseconds per frame over a whole scene, for each setting. */
 function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
-  const frameCount = Math.round(scene.seconds * 60)
-  const costs: number[][] = job.settings.map(() => [])
-  const play = (setting: Setting, seed: number) => {
-    const run = engine.start(scene, scene.build(seed), setting, false)
-    const start = performance.now()
-    for (let k = 0; k < frameCount; k++) run.step()
-    const cost = ((performance.now() - start) * 1000) / frameCount
-    run.free()
-    return cost
-  }
   const share = job.milliseconds / job.settings.length
-  job.settings.forEach((setting, i) => {
-    const start = performance.now()
-    do play(setting, 1)
-    while (performance.now() - start < share / 3)
+  return job.settings.map((setting) => {
     const begin = performance.now()
-    let seed = 0
-    do costs[i].push(play(setting, 1 + (seed++ % scene.seeds)))
-    while (performance.now() - begin < share && seed < 200)
+    // Ten frames at a time where one is shorter than the clock is fine.
+    let cost = mean(playThrice(engine, scene, setting, 1, 1))
+    const chunk = cost < 20 ? 10 : 1
+    while (performance.now() - begin < share / 2) playThrice(engine, scene, setting, 1, chunk)
+    const costs: number[] = []
+    while (costs.length === 0 || (performance.now() - begin < share && costs.length < 100)) {
+      if (cost * scene.seconds * 60 > 2e6) return cost
+      cost = mean(playThrice(engine, scene, setting, 1 + (costs.length % scene.seeds), chunk))
+      costs.push(cost)
+    }
+    return median(costs)
   })
-  return costs.map(median)
 }
 
 /** Microseconds per frame once the engine has put everything to sleep, in the 20th second after a pour. */
