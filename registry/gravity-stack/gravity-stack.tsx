@@ -53,8 +53,9 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
 
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
-  return React.Children.toArray(children).flatMap((child, i): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
+  let texts = 0
+  return React.Children.toArray(children).flatMap((child): [string, React.ReactNode][] => {
+    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${texts++}`, child]]
     const key = `${path}/${child.key}`
     return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
   })
@@ -112,8 +113,8 @@ export const GravityStack = React.forwardRef(function GravityStack(
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/gravity-stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip p-4 contain-content',
-        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        'group/gravity-stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4 [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
       )}
     >

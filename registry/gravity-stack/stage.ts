@@ -104,8 +104,7 @@ function warn(message: string) {
 
 /** A number between `low` and `high`, whatever the caller wrote. */
 function sane(name: string, value: unknown, fallback: number, low: number, high: number) {
-  const number = typeof value === 'number' && !Number.isNaN(value) ? value : fallback
-  const result = Math.min(Math.max(number, low), high)
+  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, low), high) : fallback
   if (process.env.NODE_ENV !== 'production' && result !== value)
     warn(`${name} is ${value}, which is no number from ${low} to ${high}. Going on with ${result}.`)
   return result

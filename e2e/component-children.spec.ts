@@ -1,0 +1,107 @@
+import { expect, type StagePage, test } from './fixtures/stage'
+
+/** Where each chip lies, by its text. */
+async function places(stage: StagePage) {
+  const texts = await stage.chips.allInnerTexts()
+  const { poses } = await stage.pile()
+  return new Map(texts.map((text, i) => [text, poses[i]]))
+}
+
+const far = (a: { x: number; y: number }, b: { x: number; y: number }) => Math.hypot(a.x - b.x, a.y - b.y)
+
+test('an added child drops in; the drop of the others does not start again', async ({ stage, page }) => {
+  await stage.settled('children')
+  await stage.probe((probe) => probe.states.splice(0))
+  await page.locator('#add').click()
+  await stage.reaches('running')
+  expect((await stage.states()).filter((state) => state === 'waiting').length).toBeLessThanOrEqual(1)
+  await stage.reaches('resting')
+  expect(await stage.chips.count()).toBe(12)
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.probe((probe) => probe.states)).toEqual(['running', 'resting'])
+})
+
+test('a child added in front, a new order, and a render without change leave the pile as it lies', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('children')
+  const before = await places(stage)
+  await page.locator('#reverse').click()
+  await page.locator('#rerender').click()
+  await expect(stage.root).toHaveAttribute('data-count', '1')
+  await stage.reaches('resting')
+  expect(await places(stage)).toEqual(new Map([...before].sort()))
+})
+
+test('a removed child vanishes, what it carried falls, the rest stay where they are', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('children')
+  const before = await places(stage)
+  await page.locator('#remove').click()
+  await expect(stage.chips).toHaveCount(10)
+  await stage.reaches('resting')
+  const after = await places(stage)
+  expect(after.has('one')).toBe(false)
+  const stayed = [...after].filter(([text, pose]) => far(pose, before.get(text)!) < 2)
+  expect(stayed.length).toBeGreaterThan(5)
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('conditional children and fragments come and go one by one', async ({ stage, page }) => {
+  await stage.settled('children')
+  await page.locator('#extra').click()
+  await expect(stage.chips).toHaveCount(13)
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.chips.allInnerTexts()).toEqual(expect.arrayContaining(['conditional', 'nested']))
+  await page.locator('#extra').click()
+  await expect(stage.chips).toHaveCount(11)
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a chip that grows becomes its new shape in place and pushes its neighbours off gently', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('children')
+  const before = await places(stage)
+  await page.locator('#grow').click()
+  await expect.poll(async () => (await stage.pile()).shapes.map(({ width }) => width)).toContain(256)
+  await stage.reaches('resting')
+  await expect(async () => expect(await stage.overlap()).toBeLessThan(1)).toPass()
+  const after = await places(stage)
+  for (const [text, pose] of after) expect(far(pose, before.get(text)!)).toBeLessThan(340)
+  expect(await stage.outside()).toBeLessThan(1)
+})
+
+test('a chip that loses its round corners stands like a box', async ({ stage, page }) => {
+  await stage.settled('children')
+  await page.locator('#square').click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a picture that comes late falls once it has a size', async ({ stage, page }) => {
+  await stage.settled('children')
+  await page.locator('#picture').click()
+  await expect(stage.chips).toHaveCount(12)
+  await page.evaluate(() => window.probe.pass(5))
+  await page.locator('#load').evaluate((button: HTMLElement) => button.click())
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('when all children have gone the stage is at rest', async ({ stage, page }) => {
+  await stage.settled('children')
+  await page.locator('#empty').click()
+  await expect(stage.chips).toHaveCount(3)
+  await stage.reaches('resting')
+  expect(await stage.during('frames')).toBe(0)
+})

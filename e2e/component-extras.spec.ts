@@ -1,0 +1,74 @@
+import { expect, test } from './fixtures/stage'
+
+test('ref, native props and style reach the stage', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await expect(stage.root).toHaveAttribute('id', 'stage')
+  await expect(stage.root).toHaveAttribute('title', 'pile')
+  await expect(page.getByRole('group', { name: 'Topics' })).toHaveCount(1)
+  await expect(stage.root).toHaveCSS('outline-style', 'solid')
+  await page.locator('#read').click()
+  await expect(page.locator('#tag')).toHaveText('stage gravity-stack')
+})
+
+test('onSettle is called once each time the pile comes to rest', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await expect(page.locator('#settled')).toHaveText('1')
+  await stage.drag(stage.chips.nth(0), 30, -80)
+  await page.mouse.up()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  await expect(page.locator('#settled')).toHaveText('2')
+})
+
+test('drop() lets all chips fall anew, into the same pile', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const { poses } = await stage.pile()
+  await page.locator('#drop').click()
+  await stage.reaches('running')
+  expect(await stage.states()).toContain('waiting')
+  await stage.reaches('resting')
+  for (const [i, { x, y }] of (await stage.pile()).poses.entries()) {
+    expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(0.3)
+  }
+})
+
+test('shake() throws the pile into the air, and it settles again inside', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const { poses } = await stage.pile()
+  await page.locator('#shake').click()
+  await stage.reaches('running')
+  await expect
+    .poll(async () => Math.min(...(await stage.pile()).poses.map(({ y }, i) => y - poses[i].y)), {
+      intervals: [10],
+    })
+    .toBeLessThan(-40)
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('pause() freezes the chips in the air, resume() lets them go on', async ({ stage, page }) => {
+  await stage.open('extras')
+  await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  const { poses } = await stage.pile()
+  expect(await stage.during('frames')).toBe(0)
+  expect((await stage.pile()).poses).toEqual(poses)
+  const { x, y } = await stage.centre(stage.chips.nth(0))
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  expect(await stage.states()).not.toContain('held')
+  await page.mouse.up()
+  await page.locator('#resume').click()
+  await stage.reaches('resting')
+})
+
+test('a new gravity takes hold of the pile as it lies', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const { poses } = await stage.pile()
+  await page.locator('#heavy').click()
+  await stage.reaches('resting')
+  for (const [i, { x, y }] of (await stage.pile()).poses.entries()) {
+    expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(20)
+  }
+})

@@ -1,0 +1,72 @@
+import { expect, test } from './fixtures/stage'
+
+const focused = () => document.activeElement!.textContent || document.activeElement!.tagName
+
+test('only the chips’ own controls are tab stops, in reading order', async ({ stage, page }) => {
+  await stage.settled('controls')
+  await page.getByText('before').focus()
+  const order: string[] = []
+  for (let i = 0; i < 5; i++) {
+    await page.keyboard.press('Tab')
+    order.push(await page.evaluate(focused))
+  }
+  expect(order).toEqual(['Read the docs', 'a button', 'inner', 'INPUT', 'after'])
+})
+
+test('focus brings a chip to the front and never scrolls the pile out of its place', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  const { poses } = await stage.pile()
+  await page.getByText('before').focus()
+  for (let i = 1; i <= 4; i++) {
+    await page.keyboard.press('Tab')
+    const levels = await stage.chips.evaluateAll((all) =>
+      all.map((chip) => Number(getComputedStyle(chip).zIndex) || 0),
+    )
+    expect(levels.indexOf(Math.max(...levels))).toBe(i - 1)
+  }
+  expect(await stage.root.evaluate((root) => [root.scrollTop, root.scrollLeft])).toEqual([0, 0])
+  expect((await stage.pile()).poses).toEqual(poses)
+})
+
+test('a control is pressed from the keyboard while its chip lies in the pile', async ({ stage, page }) => {
+  await stage.settled('controls')
+  await page.getByText('a button').focus()
+  await page.keyboard.press('Space')
+  await page.getByText('Read the docs').focus()
+  await page.keyboard.press('Enter')
+  await expect(page.locator('output')).toHaveText('click button, click link')
+})
+
+test('focus that lands on a chip still waiting out of sight brings it in at once', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 500, stagger: 60000 })
+  await stage.reaches('waiting')
+  await page.getByText('a button').focus()
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', /falling|resting/)
+  await stage.reaches('running')
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('a button')).toBeInViewport()
+})
+
+test('the order in which a screen reader reads is the order of the children, falling or piled', async ({
+  stage,
+}) => {
+  await stage.open('pile', { chips: 6 })
+  const words = ['design', 'tokens', 'motion', 'springs', 'layout', 'colour']
+  expect(await stage.chips.allInnerTexts()).toEqual(words)
+  await stage.reaches('resting')
+  expect(await stage.chips.allInnerTexts()).toEqual(words)
+  await expect(stage.root).toMatchAriaSnapshot(`- text: ${words.join(' ')}`)
+})
+
+test('nothing is announced as the chips fall', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 6 })
+  expect(await stage.root.locator('[aria-live], [role=status], [role=alert], [role=log]').count()).toBe(0)
+  expect(await page.locator('[data-slot=gravity-stack][aria-live]').count()).toBe(0)
+})

@@ -1,0 +1,106 @@
+import { expect, test } from './fixtures/stage'
+
+test('out of view the stage pauses, and goes on where it was', async ({ stage, page }) => {
+  await page.setViewportSize({ width: 800, height: 500 })
+  await stage.open('pile', { chips: 12, below: 2000 })
+  await expect(stage.chips.nth(5)).toHaveAttribute('data-state', 'falling')
+  await page.mouse.wheel(0, 1500)
+  await stage.reaches('paused')
+  expect(await stage.during('frames')).toBe(0)
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+  const { poses } = await stage.pile()
+  expect(new Set(await layers(stage.chips))).toEqual(new Set(['auto']))
+  expect((await stage.pile()).poses).toEqual(poses)
+  await page.mouse.wheel(0, -1500)
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+const layers = (chips: import('@playwright/test').Locator) =>
+  chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).willChange))
+
+test('in a hidden tab the stage pauses, and a held chip is let go', async ({ stage, page }) => {
+  await stage.open('pile', { chips: 8 })
+  await expect(stage.chips.nth(2)).toHaveAttribute('data-state', 'falling')
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 0, -40)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  const hide = (hidden: boolean) =>
+    page.evaluate((hidden) => {
+      Object.defineProperty(document, 'hidden', { value: hidden, configurable: true })
+      document.dispatchEvent(new Event('visibilitychange'))
+    }, hidden)
+  await hide(true)
+  await stage.reaches('paused')
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  expect(await stage.during('frames')).toBe(0)
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+  await hide(false)
+  await stage.reaches('resting')
+  await page.mouse.up()
+})
+
+test('a gap of seconds does not make the pile jump', async ({ stage, page }) => {
+  await stage.open('pile', { chips: 6 })
+  await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'falling')
+  const way = await page.evaluate(async () => {
+    const chip = document.querySelectorAll('[data-slot=gravity-stack-chip]')[1]
+    await window.probe.pass(1)
+    const before = chip.getBoundingClientRect().y
+    // Nothing runs for a second and a half: a laptop asleep, a debugger.
+    const until = performance.now() + 1500
+    while (performance.now() < until);
+    await window.probe.pass(1)
+    return Math.abs(chip.getBoundingClientRect().y - before)
+  })
+  // 50 ms at most are made up for.
+  expect(way).toBeLessThan(150)
+  await stage.reaches('resting')
+})
+
+test('at rest nothing runs, and no layer is kept', async ({ stage }) => {
+  await stage.settled('pile', { chips: 10 })
+  expect(await stage.during('frames')).toBe(0)
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+  expect(new Set(await layers(stage.chips))).toEqual(new Set(['auto']))
+})
+
+test('after a hundred mounts nothing is left of any but the last', async ({ stage, page }) => {
+  await stage.settled('mounts')
+  const read = () =>
+    stage.probe(({ observed, listeners, timers }) => ({
+      observed: { ...observed },
+      listeners: { ...listeners },
+      timers,
+    }))
+  const before = await read()
+  await page.evaluate(async () => {
+    const button = document.getElementById('toggle')!
+    for (let i = 0; i < 200; i++) {
+      button.click()
+      await window.probe.pass(i % 7 === 1 ? 6 : 1)
+    }
+  })
+  await stage.reaches('resting')
+  expect(await read()).toEqual(before)
+  await page.locator('#toggle').click()
+  await expect(stage.root).toHaveCount(0)
+  expect(
+    await stage.probe(({ observed, listeners }) => ({ ...observed, listeners: { ...listeners } })),
+  ).toEqual({
+    intersection: 0,
+    resize: 0,
+    mutation: 0,
+    listeners: {},
+  })
+  expect(await stage.during('frames')).toBe(0)
+})
+
+test('a stage unmounted in mid-fall leaves no frame and no timer behind', async ({ stage, page }) => {
+  await stage.open('mounts')
+  await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'falling')
+  await page.locator('#toggle').click()
+  await expect(stage.root).toHaveCount(0)
+  expect(await stage.during('frames')).toBe(0)
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+})

@@ -1,0 +1,190 @@
+import AxeBuilder from '@axe-core/playwright'
+import type { Page } from '@playwright/test'
+import { expect, test } from './fixtures/stage'
+
+/** Every chip upright, unmoved, inside the stage, none over another, all above the bottom padding. */
+async function readable(page: Page) {
+  return page.locator('[data-slot=gravity-stack]').evaluate((root) => {
+    const stage = root.getBoundingClientRect()
+    const chips = [...root.querySelectorAll('[data-slot=gravity-stack-chip]')]
+    const boxes = chips.map((chip) => chip.getBoundingClientRect())
+    const apart = boxes.every((a, i) =>
+      boxes.every(
+        (b, j) =>
+          i === j ||
+          a.right <= b.left + 0.5 ||
+          b.right <= a.left + 0.5 ||
+          a.bottom <= b.top + 0.5 ||
+          b.bottom <= a.top + 0.5,
+      ),
+    )
+    const inside = boxes.every(
+      (box) =>
+        box.left >= stage.left &&
+        box.right <= stage.right &&
+        box.top >= stage.top &&
+        box.bottom <= stage.bottom,
+    )
+    const upright = chips.every((chip) => getComputedStyle(chip).transform === 'none')
+    const shown = chips.every((chip) => getComputedStyle(chip).opacity === '1')
+    const lowest = Math.max(...boxes.map((box) => box.bottom))
+    return { apart, inside, upright, shown, gap: Math.round(stage.bottom - lowest), height: stage.height }
+  })
+}
+const row = { apart: true, inside: true, upright: true, shown: true, gap: 16, height: 340 }
+
+const open = (element: string) =>
+  element.replaceAll(/ data-state="[^"]*"/g, '').replaceAll(/ style="[^"]*"/g, '')
+
+test.describe('with reduced motion', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } })
+
+  test('the chips stand upright in a row at the bottom, and nothing moves', async ({ stage, page }) => {
+    await stage.open('pile')
+    await expect.poll(() => readable(page)).toEqual(row)
+    await page.mouse.move(300, 300)
+    await page.mouse.down()
+    await page.mouse.move(320, 100, { steps: 4 })
+    await page.mouse.up()
+    expect(await readable(page)).toEqual(row)
+    await stage.reaches('static')
+    expect(await stage.probe((probe) => [probe.frames, probe.styleWrites, probe.timers])).toEqual([0, 0, 0])
+  })
+
+  test('more chips than fit make the stage taller; none is cut off', async ({ stage, page }) => {
+    await stage.open('pile', { chips: 120 })
+    const shown = await readable(page)
+    expect(shown).toEqual({ ...row, height: shown.height })
+    expect(shown.height).toBeGreaterThan(340)
+  })
+
+  test('the markup is the server’s, and hydration has nothing to say', async ({ stage, page, request }) => {
+    const served = /<div data-slot="gravity-stack".*<\/div>/.exec(
+      await (await request.get('/pile')).text(),
+    )![0]
+    await stage.open('pile')
+    await page.waitForLoadState('networkidle')
+    const hydrated = await page.locator('main').innerHTML()
+    expect(open(hydrated)).toContain(open(served).slice(0, 900))
+  })
+
+  test('switched off live, the chips fall; switched on again, they stand in the row, in the same elements', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('pile')
+    const mark = await stage.chips.first().evaluateHandle((chip) => chip)
+    await page.emulateMedia({ reducedMotion: 'no-preference' })
+    await stage.reaches('running')
+    await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await stage.reaches('static')
+    expect(await readable(page)).toEqual(row)
+    expect(await stage.during('frames')).toBe(0)
+    await page.emulateMedia({ reducedMotion: 'no-preference' })
+    await stage.reaches('resting')
+    expect(await stage.overlap()).toBeLessThan(1)
+    expect(await stage.chips.first().evaluate((chip, before) => chip === before, mark)).toBe(true)
+  })
+
+  test('axe finds nothing', async ({ stage, page }) => {
+    await stage.open('controls')
+    expect(
+      (await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations,
+    ).toEqual([])
+  })
+})
+
+test.describe('without script', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('every chip is readable in the row', async ({ page }) => {
+    await page.goto('/pile')
+    const boxes = await page.locator('[data-slot=gravity-stack-chip]').all()
+    const stage = (await page.locator('[data-slot=gravity-stack]').boundingBox())!
+    expect(boxes).toHaveLength(12)
+    for (const chip of boxes) {
+      await expect(chip).toBeVisible()
+      const box = (await chip.boundingBox())!
+      expect(box.y).toBeGreaterThanOrEqual(stage.y)
+      expect(box.y + box.height).toBeLessThanOrEqual(stage.y + stage.height)
+    }
+    const bottoms = await Promise.all(boxes.map(async (chip) => (await chip.boundingBox())!))
+    expect(Math.max(...bottoms.map((box) => box.y + box.height))).toBeCloseTo(stage.y + stage.height - 16, 0)
+  })
+})
+
+test('before the script has come, people whose chips will fall see no row that then vanishes', async ({
+  stage,
+  page,
+}) => {
+  await page.route('**/client-*.js', () => {})
+  await page.goto('/pile', { waitUntil: 'commit' })
+  await expect(stage.chips).toHaveCount(12)
+  const seen = await stage.root.evaluate((root) => {
+    const { top } = root.getBoundingClientRect()
+    return [...root.children].filter((chip) => chip.getBoundingClientRect().bottom > top).length
+  })
+  expect(seen).toBe(0)
+})
+
+test('nothing on the page shifts while the stage comes to life', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const shifts: number[] = []
+    Object.assign(window, { shifts })
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) shifts.push((entry as unknown as { value: number }).value)
+    }).observe({ type: 'layout-shift', buffered: true })
+  })
+  await stage.settled('pile', { chips: 20, below: 200 })
+  expect(await page.evaluate(() => (window as unknown as { shifts: number[] }).shifts)).toEqual([])
+})
+
+test('on paper the pile is a row, before, during and after the fall; on screen it goes on where it was', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('pile')
+  await expect(stage.chips.nth(4)).toHaveAttribute('data-state', 'falling')
+  await page.emulateMedia({ media: 'print' })
+  expect(await readable(page)).toEqual(row)
+  await stage.reaches('static')
+  await page.emulateMedia({ media: 'screen' })
+  await stage.reaches('resting')
+  const { poses } = await stage.pile()
+  await page.emulateMedia({ media: 'print' })
+  expect(await readable(page)).toEqual(row)
+  await page.emulateMedia({ media: 'screen' })
+  await stage.reaches('resting')
+  expect((await stage.pile()).poses).toEqual(poses)
+})
+
+test('in forced colours every chip keeps an outline, and the focused control its own', async ({
+  stage,
+  page,
+}) => {
+  await page.emulateMedia({ forcedColors: 'active' })
+  await stage.settled('controls')
+  const outlines = () =>
+    stage.chips.evaluateAll((all) =>
+      all.map((chip) => getComputedStyle(chip.firstElementChild!).outlineStyle),
+    )
+  expect(new Set(await outlines())).toEqual(new Set(['solid']))
+  await page.getByText('before').focus()
+  await page.keyboard.press('Tab')
+  expect((await outlines())[0]).toBe('auto')
+})
+
+for (const state of ['waiting', 'running', 'resting']) {
+  test(`axe finds nothing while the stage is ${state}`, async ({ stage, page }) => {
+    await page.setViewportSize({ width: 800, height: 500 })
+    await stage.open('controls', {
+      above: state === 'waiting' ? 440 : 0,
+      stagger: state === 'running' ? 60000 : 50,
+    })
+    await stage.reaches(state)
+    expect(
+      (await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations,
+    ).toEqual([])
+  })
+}

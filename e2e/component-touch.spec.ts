@@ -1,0 +1,140 @@
+import type { CDPSession, Locator, Page } from '@playwright/test'
+import { expect, type StagePage, test } from './fixtures/stage'
+
+test.use({ hasTouch: true, viewport: { width: 660, height: 500 } })
+
+class Finger {
+  constructor(
+    readonly page: Page,
+    readonly session: CDPSession,
+    public x = 0,
+    public y = 0,
+  ) {}
+
+  static async on(page: Page) {
+    return new Finger(page, await page.context().newCDPSession(page))
+  }
+
+  async down(x: number, y: number) {
+    Object.assign(this, { x, y })
+    await this.session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: [{ x, y }] })
+  }
+
+  async by(dx: number, dy: number, steps = 8) {
+    for (let i = 0; i < steps; i++) {
+      this.x += dx / steps
+      this.y += dy / steps
+      await this.session.send('Input.dispatchTouchEvent', {
+        type: 'touchMove',
+        touchPoints: [{ x: this.x, y: this.y }],
+      })
+      await this.page.evaluate(() => window.probe.pass(1))
+    }
+  }
+
+  up() {
+    return this.session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+  }
+}
+
+const scrolled = (page: Page) => page.evaluate(() => scrollY)
+
+async function ready(stage: StagePage, page: Page) {
+  await stage.open('pile', { chips: 5, above: 100, below: 1500 })
+  await stage.reaches('resting')
+  return Finger.on(page)
+}
+
+const onto = async (finger: Finger, stage: StagePage, chip: Locator) => {
+  const { x, y } = await stage.centre(chip)
+  await finger.down(x, y)
+}
+
+test('a swipe on the empty stage scrolls the page', async ({ stage, page }) => {
+  const finger = await ready(stage, page)
+  await finger.down(320, 200)
+  await finger.by(0, -150)
+  await finger.up()
+  await expect.poll(() => scrolled(page)).toBeGreaterThan(80)
+})
+
+test('a quick swipe up that starts on a chip scrolls the page and leaves the chip', async ({
+  stage,
+  page,
+}) => {
+  const finger = await ready(stage, page)
+  const { poses } = await stage.pile()
+  await onto(finger, stage, stage.chips.nth(1))
+  await finger.by(0, -150)
+  await finger.up()
+  await expect.poll(() => scrolled(page)).toBeGreaterThan(80)
+  expect(await stage.states()).not.toContain('held')
+  expect((await stage.pile()).poses).toEqual(poses)
+})
+
+test('a finger that sets out sideways takes the chip along, then in any direction', async ({
+  stage,
+  page,
+}) => {
+  const finger = await ready(stage, page)
+  const chip = stage.chips.nth(1)
+  await onto(finger, stage, chip)
+  await finger.by(40, 0)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await finger.by(0, -120)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  expect(Math.abs((await stage.centre(chip)).y - finger.y)).toBeLessThan(40)
+  expect(await scrolled(page)).toBe(0)
+  await finger.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+})
+
+test('a finger that rests on a chip for a moment holds it; then it can be lifted straight up', async ({
+  stage,
+  page,
+}) => {
+  const finger = await ready(stage, page)
+  const chip = stage.chips.nth(1)
+  await onto(finger, stage, chip)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await finger.by(0, -150)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  expect(Math.abs((await stage.centre(chip)).y - finger.y)).toBeLessThan(40)
+  expect(await scrolled(page)).toBe(0)
+  await finger.up()
+  await stage.reaches('resting')
+})
+
+test('a tap with a finger makes a chip hop and follows a link', async ({ stage, page }) => {
+  await stage.settled('controls')
+  await page.touchscreen.tap(...(Object.values(await stage.centre(stage.chip('plain'))) as [number, number]))
+  await expect(stage.chip('plain')).toHaveAttribute('data-state', 'falling')
+  await page.touchscreen.tap(
+    ...(Object.values(await stage.centre(stage.chip('Read the docs'))) as [number, number]),
+  )
+  await expect(page).toHaveURL(/#link$/)
+  await stage.reaches('resting')
+})
+
+test('the wheel scrolls the page over stage and chips alike', async ({ stage, page }) => {
+  await ready(stage, page)
+  const { x, y } = await stage.centre(stage.chips.nth(1))
+  await page.mouse.move(x, y)
+  await page.mouse.wheel(0, 120)
+  await expect.poll(() => scrolled(page)).toBe(120)
+})
+
+test('pinch and sideways gestures are left to the browser but for drags on a chip', async ({
+  stage,
+  page,
+}) => {
+  await ready(stage, page)
+  expect(await stage.root.evaluate((root) => getComputedStyle(root).touchAction)).toBe('auto')
+  expect(await stage.chips.first().evaluate((chip) => getComputedStyle(chip).touchAction)).toBe(
+    'pan-y pinch-zoom',
+  )
+  expect(await stage.probe((probe) => probe.listeners.wheel ?? 0)).toBe(0)
+})
