@@ -1,0 +1,108 @@
+import { describe, expect, it } from 'vitest'
+import { frontier, type Point, type Results, verdicts } from './report'
+
+const point = (engine: string, cost: number, error: number): Point => ({ engine, setting: {}, cost, error })
+
+function resultsOf(
+  rows: [engine: string, knob: number | null, cost: number, error: number | null][],
+): Results {
+  const setting = (knob: number | null) => (knob === null ? {} : { substeps: knob })
+  const scene = 'slide'
+  return {
+    date: '',
+    machine: { cpu: '', cores: 1, memoryGB: 1, system: '', node: '' },
+    versions: {},
+    quick: false,
+    scenes: [
+      {
+        name: scene,
+        title: 'A box slides',
+        seeds: 1,
+        measures: [{ name: 'error', unit: 'px', target: null, ranked: true }],
+      },
+    ],
+    errors: rows.map(([engine, knob, , error]) => ({
+      engine,
+      scene,
+      setting: setting(knob),
+      seeds: 1,
+      errors: [error],
+    })),
+    sceneCosts: rows.map(([engine, knob, cost]) => ({
+      engine,
+      scene,
+      setting: setting(knob),
+      cost,
+      spread: 1,
+    })),
+    pourCosts: [],
+    asleep: {},
+    allocation: {},
+    bytes: [],
+  }
+}
+
+describe('the frontier', () => {
+  it('keeps what nobody beats, from cheap to dear', () => {
+    const all = [point('a', 1, 9), point('b', 2, 9), point('c', 3, 4), point('d', 4, 5), point('e', 9, 1)]
+    expect(frontier(all).map(({ engine }) => engine)).toEqual(['a', 'c', 'e'])
+  })
+
+  it('has no place for an engine that lost its chips', () => {
+    expect(frontier([point('a', 1, Number.POSITIVE_INFINITY)])).toEqual([])
+  })
+})
+
+describe('the claim', () => {
+  it('holds where peers are dearer or further off', () => {
+    const [verdict] = verdicts(
+      resultsOf([
+        ['gravity-stack', null, 10, 0.01],
+        ['planck', 4, 5, 2],
+        ['planck', 16, 30, 0.5],
+        ['rapier', 8, 40, 0.005],
+      ]),
+    )
+    expect(verdict.beaten).toEqual([])
+    expect(verdict.asCheap).toMatchObject({ engine: 'planck', error: 2, factor: 200 })
+    expect(verdict.asExact).toMatchObject({ engine: 'rapier', cost: 40, factor: 4 })
+  })
+
+  it('names whoever is cheaper and more exact', () => {
+    const [verdict] = verdicts(
+      resultsOf([
+        ['gravity-stack', null, 10, 0.01],
+        ['rapier', 8, 6, 0.005],
+      ]),
+    )
+    expect(verdict.beaten.map(({ engine }) => engine)).toEqual(['rapier'])
+  })
+
+  it('makes nothing of rounding, nor of five per cent of time', () => {
+    const [exact] = verdicts(
+      resultsOf([
+        ['gravity-stack', null, 10, 3e-13],
+        ['planck', 1, 5, 1e-14],
+      ]),
+    )
+    expect(exact.beaten).toEqual([])
+    const [close] = verdicts(
+      resultsOf([
+        ['gravity-stack', null, 10, 0.01],
+        ['planck', 1, 9.8, 0.005],
+      ]),
+    )
+    expect(close.beaten).toEqual([])
+  })
+
+  it('counts an engine that lost its chips as neither cheap nor exact', () => {
+    const [verdict] = verdicts(
+      resultsOf([
+        ['gravity-stack', null, 10, 0.01],
+        ['planck', 1, 1, null],
+      ]),
+    )
+    expect(verdict.asCheap).toBeNull()
+    expect(verdict.asExact).toBeNull()
+  })
+})
