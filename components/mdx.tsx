@@ -11,7 +11,15 @@ import { ComponentSource } from './component-source'
 import { CopyButton } from './copy-button'
 import { ElevationLadder } from './elevation-ladder'
 import { Install, InstallWay } from './install'
-import * as figures from './lab'
+import {
+  FlightFigure,
+  FrictionFigure,
+  ImpactFigure,
+  IslandsFigure,
+  SagFigure,
+  ScenesFigure,
+  SubstepsFigure,
+} from './lab'
 import { PropsTable } from './props-table'
 import { ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
@@ -31,7 +39,6 @@ function heading(Tag: 'h2' | 'h3' | 'h4') {
 }
 
 const components: Record<string, unknown> = {
-  ...figures,
   h2: heading('h2'),
   h3: heading('h3'),
   h4: heading('h4'),
@@ -66,10 +73,17 @@ const components: Record<string, unknown> = {
   ComponentPreview,
   ComponentSource,
   ElevationLadder,
+  FlightFigure,
+  FrictionFigure,
+  ImpactFigure,
   Install,
   InstallWay,
+  IslandsFigure,
   PropsTable,
+  SagFigure,
+  ScenesFigure,
   ScenesTable,
+  SubstepsFigure,
 }
 
 /** Runs the function body that contentlayer compiles a page to. On the server only: no MDX reaches the browser. */

@@ -1,7 +1,0 @@
-export { FlightFigure } from './flight'
-export { FrictionFigure } from './friction'
-export { ImpactFigure } from './impact'
-export { IslandsFigure } from './islands'
-export { SagFigure } from './sag'
-export { ScenesFigure } from './scenes'
-export { SubstepsFigure } from './substeps'
