@@ -8,6 +8,12 @@ import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y
  */
 export const touch = {
   count: 0,
+  /** px, the widest gap that still makes a contact point; to be set before a call. */
+  margin: 0,
+  /** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
+  ahead: 0,
+  /** px, distance of the shapes; a lower bound of it when it is more than the margin. */
+  gap: 0,
   nx: 0,
   ny: 0,
   /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
@@ -24,204 +30,221 @@ export const POINT = 6
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
 
-/** Adds a point whose core points are (px, py) from A's centre and (qx, qy) from B's, with the radii of both. */
-function addPoint(
-  px: number,
-  py: number,
-  qx: number,
-  qy: number,
-  ra: number,
-  rb: number,
-  gap: number,
-  feature: number,
-): void {
-  const k = touch.count++ * POINT
+/**
+ * Adds a point: (px, py) on the core of A from A's centre, (qx, qy) on the core of B from B's centre.
+ * The radii follow in `finish`.
+ */
+function addPoint(px: number, py: number, qx: number, qy: number, gap: number, feature: number): void {
+  const k = touch.count * POINT
   const p = touch.points
-  p[k + AX] = px + ra * touch.nx
-  p[k + AY] = py + ra * touch.ny
-  p[k + BX] = qx - rb * touch.nx
-  p[k + BY] = qy - rb * touch.ny
+  p[k + AX] = px
+  p[k + AY] = py
+  p[k + BX] = qx
+  p[k + BY] = qy
   p[k + GAP] = gap
   p[k + FEATURE] = feature
+  touch.count++
+}
+
+/** Moves the points from the cores to the surfaces. */
+function finish(ra: number, rb: number): void {
+  const p = touch.points
+  for (let k = 0; k < touch.count * POINT; k += POINT) {
+    p[k + AX] += ra * touch.nx
+    p[k + AY] += ra * touch.ny
+    p[k + BX] -= rb * touch.nx
+    p[k + BY] -= rb * touch.ny
+  }
 }
 
 /**
- * Distance of the shapes of bodies `a` and `b`, px, negative when they overlap; contact points up to `margin` apart.
- * Exact for rounded boxes of any size. Beyond `margin` the answer is a lower bound and there are no points.
+ * Distance of the shapes of bodies `a` and `b` in `touch.gap`, and their contact points where these are at most
+ * `touch.margin` apart. Exact for rounded boxes of any size.
  */
-export function collide(bodies: Bodies, a: number, b: number, margin: number): number {
-  const { state, motion, shape } = bodies
-  turn(state, motion, a)
-  turn(state, motion, b)
-  touch.count = 0
+export function collide(bodies: Bodies, a: number, b: number): void {
+  const shape = bodies.shape
   const sa = a * SHAPE
   const sb = b * SHAPE
-  const px = state[b * STATE + X] - state[a * STATE + X]
-  const py = state[b * STATE + Y] - state[a * STATE + Y]
-  const ca = motion[a * MOTION + COS]
-  const na = motion[a * MOTION + SIN]
-  const cb = motion[b * MOTION + COS]
-  const nb = motion[b * MOTION + SIN]
-  const hxa = shape[sa + HX]
-  const hya = shape[sa + HY]
-  const hxb = shape[sb + HX]
-  const hyb = shape[sb + HY]
-  const ra = shape[sa + RADIUS]
-  const rb = shape[sb + RADIUS]
-  if ((hxa === 0 || hya === 0) && (hxb === 0 || hyb === 0)) {
-    // Half vectors of the two core segments; one along y belongs to a chip taller than wide.
-    const ux = hya === 0 ? ca * hxa : -na * hya
-    const uy = hya === 0 ? na * hxa : ca * hya
-    const vx = hyb === 0 ? cb * hxb : -nb * hyb
-    const vy = hyb === 0 ? nb * hxb : cb * hyb
-    return collideSegments(px, py, ux, uy, vx, vy, ra, rb, margin)
-  }
-  return collideBoxes(px, py, ca, na, hxa, hya, cb, nb, hxb, hyb, ra, rb, margin)
+  touch.count = 0
+  turn(bodies.state, bodies.motion, a)
+  turn(bodies.state, bodies.motion, b)
+  if ((shape[sa + HX] === 0 || shape[sa + HY] === 0) && (shape[sb + HX] === 0 || shape[sb + HY] === 0)) {
+    collideSegments(bodies, a, b)
+  } else collideBoxes(bodies, a, b)
 }
 
-/** Parameters of the closest points of the segments ±u and p ± v. After Ericson, Real-Time Collision Detection, 5.1.9. */
-const nearest = { s: 0, t: 0 }
-function closest(px: number, py: number, ux: number, uy: number, vx: number, vy: number): void {
+/**
+ * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
+ * In and out through one array: numbers handed over as arguments would be boxed.
+ */
+const line = new Float64Array(8)
+const PX = 0
+const PY = 1
+const UX = 2
+const UY = 3
+const VX = 4
+const VY = 5
+const S = 6
+const T = 7
+function closest(): void {
+  const ux = line[UX]
+  const uy = line[UY]
+  const vx = line[VX]
+  const vy = line[VY]
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
   const uv = ux * vx + uy * vy
-  const up = ux * px + uy * py
-  const vp = vx * px + vy * py
+  const up = ux * line[PX] + uy * line[PY]
+  const vp = vx * line[PX] + vy * line[PY]
   const det = uu * vv - uv * uv
   let s = 0
   let t = 0
   if (uu > 0) {
     s = det > TINY * uu * vv ? (up * vv - uv * vp) / det : up / uu
-    s = s > 1 ? 1 : s < -1 ? -1 : s
+    s = s > 1 ? 1 : Math.max(s, -1)
   }
   if (vv > 0) {
     t = (uv * s - vp) / vv
-    t = t > 1 ? 1 : t < -1 ? -1 : t
+    t = t > 1 ? 1 : Math.max(t, -1)
   }
   if (uu > 0) {
     s = (up + uv * t) / uu
-    s = s > 1 ? 1 : s < -1 ? -1 : s
+    s = s > 1 ? 1 : Math.max(s, -1)
   }
-  nearest.s = s
-  nearest.t = t
+  line[S] = s
+  line[T] = t
 }
 
 /** Two pills (or discs): closest points, and a second point where they lie side by side. */
-function collideSegments(
-  px: number,
-  py: number,
-  ux: number,
-  uy: number,
-  vx: number,
-  vy: number,
-  ra: number,
-  rb: number,
-  margin: number,
-): number {
-  closest(px, py, ux, uy, vx, vy)
-  const s = nearest.s
-  const t = nearest.t
-  let dx = px + t * vx - s * ux
-  let dy = py + t * vy - s * uy
-  const far = ra + rb + margin
-  const square = dx * dx + dy * dy
-  if (square > far * far) return Math.sqrt(square) - ra - rb
+function collideSegments(bodies: Bodies, a: number, b: number): void {
+  const { state, motion, shape } = bodies
+  const hxa = shape[a * SHAPE + HX]
+  const hya = shape[a * SHAPE + HY]
+  const hxb = shape[b * SHAPE + HX]
+  const hyb = shape[b * SHAPE + HY]
+  const radii = shape[a * SHAPE + RADIUS] + shape[b * SHAPE + RADIUS]
+  const ca = motion[a * MOTION + COS]
+  const na = motion[a * MOTION + SIN]
+  const cb = motion[b * MOTION + COS]
+  const nb = motion[b * MOTION + SIN]
+  const px = state[b * STATE + X] - state[a * STATE + X]
+  const py = state[b * STATE + Y] - state[a * STATE + Y]
+  // Half vectors of the two core segments; one along y belongs to a chip taller than wide.
+  const ux = hya === 0 ? ca * hxa : -na * hya
+  const uy = hya === 0 ? na * hxa : ca * hya
+  const vx = hyb === 0 ? cb * hxb : -nb * hyb
+  const vy = hyb === 0 ? nb * hxb : cb * hyb
+  line[PX] = px
+  line[PY] = py
+  line[UX] = ux
+  line[UY] = uy
+  line[VX] = vx
+  line[VY] = vy
+  closest()
+  const s = line[S]
+  const t = line[T]
+  let nx = px + t * vx - s * ux
+  let ny = py + t * vy - s * uy
+  const square = nx * nx + ny * ny
   const distance = Math.sqrt(square)
+  const gap = distance - radii
+  touch.gap = gap
+  if (gap > touch.margin) return
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
-  // The cores cross or touch: leave along the shorter way across one of them.
+  // The normal stands on the segment whose inside is nearest: the reference; the other one is cut to its length.
+  let onA = uu > 0 && s > -1 && s < 1
+  let onB = !onA && vv > 0 && t > -1 && t < 1
   const crossed = square < TINY
-  let acrossA = s > -1 && s < 1 && uu > 0
   if (crossed) {
-    acrossA = uu > 0 && (vv === 0 || uu >= vv)
-    const lx = acrossA ? ux : vx
-    const ly = acrossA ? uy : vy
+    // Cores that cross part along the shorter way across one of them.
+    onA = uu > 0 && uu >= vv
+    onB = !onA && vv > 0
+    const lx = onA ? ux : vx
+    const ly = onA ? uy : vy
     const length = Math.sqrt(lx * lx + ly * ly)
-    dx = length > 0 ? -ly / length : 0
-    dy = length > 0 ? lx / length : -1
-    if (dx * px + dy * py < 0) {
-      dx = -dx
-      dy = -dy
+    nx = length > 0 ? -ly / length : 0
+    ny = length > 0 ? lx / length : -1
+    if (nx * px + ny * py < 0) {
+      nx = -nx
+      ny = -ny
     }
-    touch.nx = dx
-    touch.ny = dy
   } else {
-    touch.nx = dx / distance
-    touch.ny = dy / distance
+    nx /= distance
+    ny /= distance
   }
-  const nx = touch.nx
-  const ny = touch.ny
-  const gap = distance - ra - rb
-  const acrossB = !acrossA && t > -1 && t < 1 && vv > 0
-  if (uu > 0 && vv > 0 && (acrossA || acrossB)) {
-    // The normal stands on one segment, the reference; the other one is cut to its length.
-    const rx = acrossA ? ux : vx
-    const ry = acrossA ? uy : vy
-    const rr = acrossA ? uu : vv
-    const ix = acrossA ? vx : ux
-    const iy = acrossA ? vy : uy
-    const ox = acrossA ? px : -px
-    const oy = acrossA ? py : -py
+  touch.nx = nx
+  touch.ny = ny
+  if (uu > 0 && vv > 0 && (onA || onB)) {
+    const rx = onA ? ux : vx
+    const ry = onA ? uy : vy
+    const rr = onA ? uu : vv
+    const ix = onA ? vx : ux
+    const iy = onA ? vy : uy
+    const ox = onA ? px : -px
+    const oy = onA ? py : -py
+    // Along the reference, the other segment reaches from mid − half to mid + half.
     const mid = (rx * ox + ry * oy) / rr
     const half = (rx * ix + ry * iy) / rr
+    const size = half > 0 ? half : -half
+    const way = half > 0 ? 1 : -1
+    const own = onA ? 0 : 4
+    const other = 4 - own
     let lo = -1
     let hi = 1
-    let loFeature = acrossA ? 4 : 0
-    let hiFeature = loFeature + 1
-    if (half > TINY || half < -TINY) {
-      const endLo = half > 0 ? (-1 - mid) / half : (1 - mid) / half
-      const endHi = half > 0 ? (1 - mid) / half : (-1 - mid) / half
-      const own = acrossA ? 0 : 4
-      if (endLo > lo) {
-        lo = endLo
-        loFeature = own + (half > 0 ? 0 : 1)
-      }
-      if (endHi < hi) {
-        hi = endHi
-        hiFeature = own + (half > 0 ? 1 : 0)
-      }
+    let loFeature = other + (half > 0 ? 0 : 1)
+    let hiFeature = other + (half > 0 ? 1 : 0)
+    if (mid - size < -1 && size > TINY) {
+      lo = (-1 - mid) / size
+      loFeature = own
+    }
+    if (mid + size > 1 && size > TINY) {
+      hi = (1 - mid) / size
+      hiFeature = own + 1
     }
     if (hi - lo > 1e-6) {
-      const sign = acrossA ? 1 : -1
+      const sign = onA ? 1 : -1
+      let least = Infinity
       for (let k = 0; k < 2; k++) {
         const at = k === 0 ? lo : hi
-        const along = mid + at * half
-        const apart = sign * ((ox + at * ix) * nx + (oy + at * iy) * ny) - ra - rb
-        if (apart > margin) continue
+        const qx = ox + way * at * ix
+        const qy = oy + way * at * iy
+        const apart = sign * (qx * nx + qy * ny) - radii
+        if (apart < least) least = apart
+        if (apart > touch.margin) continue
+        const along = mid + at * size
         const feature = k === 0 ? loFeature : hiFeature
-        if (acrossA) addPoint(along * rx, along * ry, at * ix, at * iy, ra, rb, apart, feature)
-        else addPoint(at * ix, at * iy, along * rx, along * ry, ra, rb, apart, feature)
+        if (onA) addPoint(along * rx, along * ry, qx - ox, qy - oy, apart, feature)
+        else addPoint(qx - ox, qy - oy, along * rx, along * ry, apart, feature)
       }
-      if (touch.count > 0)
-        return crossed ? Math.min(touch.points[GAP], touch.points[(touch.count - 1) * POINT + GAP]) : gap
+      if (crossed) touch.gap = least
     }
   }
-  addPoint(s * ux, s * uy, t * vx, t * vy, ra, rb, gap, acrossA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
-  return gap
+  if (touch.count === 0) addPoint(s * ux, s * uy, t * vx, t * vy, gap, onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
+  finish(shape[a * SHAPE + RADIUS], shape[b * SHAPE + RADIUS])
 }
 
 /** Two rounded boxes, or one and a pill or disc: separating axes of the cores, then the features that face each other. */
-function collideBoxes(
-  px: number,
-  py: number,
-  ca: number,
-  na: number,
-  hxa: number,
-  hya: number,
-  cb: number,
-  nb: number,
-  hxb: number,
-  hyb: number,
-  ra: number,
-  rb: number,
-  margin: number,
-): number {
+function collideBoxes(bodies: Bodies, a: number, b: number): void {
+  const { state, motion, shape } = bodies
+  const hxa = shape[a * SHAPE + HX]
+  const hya = shape[a * SHAPE + HY]
+  const hxb = shape[b * SHAPE + HX]
+  const hyb = shape[b * SHAPE + HY]
+  const ra = shape[a * SHAPE + RADIUS]
+  const rb = shape[b * SHAPE + RADIUS]
+  const radii = ra + rb
+  const ca = motion[a * MOTION + COS]
+  const na = motion[a * MOTION + SIN]
+  const cb = motion[b * MOTION + COS]
+  const nb = motion[b * MOTION + SIN]
+  const px = state[b * STATE + X] - state[a * STATE + X]
+  const py = state[b * STATE + Y] - state[a * STATE + Y]
   // Rotation of B seen from A.
   const c = ca * cb + na * nb
   const n = ca * nb - na * cb
   const absC = c < 0 ? -c : c
   const absN = n < 0 ? -n : n
-  const far = ra + rb + margin
   // Offset of B's centre along the axes of A, and along the axes of B.
   const pax = px * ca + py * na
   const pay = py * ca - px * na
@@ -254,7 +277,8 @@ function collideBoxes(
       axis = 3
     }
   }
-  if (best > far) return best - ra - rb
+  touch.gap = best - radii
+  if (touch.gap > touch.margin) return
 
   // Reference R with the face, incident I with the side that faces it most; everything from R's centre.
   const onA = axis < 2
@@ -314,9 +338,15 @@ function collideBoxes(
 
   // Where the cores are apart the closest features may be two corners.
   if (best > 0) {
-    closest(mx - fx * depth, my - fy * depth, gx * half, gy * half, ex, ey)
-    const s = nearest.s
-    const t = nearest.t
+    line[PX] = mx - fx * depth
+    line[PY] = my - fy * depth
+    line[UX] = gx * half
+    line[UY] = gy * half
+    line[VX] = ex
+    line[VY] = ey
+    closest()
+    const s = line[S]
+    const t = line[T]
     if ((s === 1 || s === -1) && (t === 1 || t === -1 || (ex === 0 && ey === 0))) {
       const rx = fx * depth + gx * half * s
       const ry = fy * depth + gy * half * s
@@ -325,16 +355,18 @@ function collideBoxes(
       const distance = Math.sqrt(dx * dx + dy * dy)
       // Two corners only if the line between them leaves the face: else the face's own normal is the same.
       if (distance > best + 1e-9) {
-        const gap = distance - ra - rb
-        if (gap > margin) return gap
+        const gap = distance - radii
+        touch.gap = gap
+        if (gap > touch.margin) return
         touch.nx = (sign * dx) / distance
         touch.ny = (sign * dy) / distance
         const qx = mx + ex * t - ox
         const qy = my + ey * t - oy
         const feature = own + (s > 0 ? 1 : 0)
-        if (onA) addPoint(rx, ry, qx, qy, ra, rb, gap, feature)
-        else addPoint(qx, qy, rx, ry, ra, rb, gap, feature)
-        return gap
+        if (onA) addPoint(rx, ry, qx, qy, gap, feature)
+        else addPoint(qx, qy, rx, ry, gap, feature)
+        finish(ra, rb)
+        return
       }
     }
   }
@@ -372,32 +404,36 @@ function collideBoxes(
     const qx = mx + at * ex
     const qy = my + at * ey
     const apart = fx * qx + fy * qy - depth
-    const gap = apart - ra - rb
+    const gap = apart - radii
     if (gap < least) least = gap
-    if (gap > margin) continue
+    if (gap > touch.margin) continue
     const feature = k === 0 ? loFeature : hiFeature
     const rx = qx - fx * apart
     const ry = qy - fy * apart
-    if (onA) addPoint(rx, ry, qx - ox, qy - oy, ra, rb, gap, feature)
-    else addPoint(qx - ox, qy - oy, rx, ry, ra, rb, gap, feature)
+    if (onA) addPoint(rx, ry, qx - ox, qy - oy, gap, feature)
+    else addPoint(qx - ox, qy - oy, rx, ry, gap, feature)
   }
-  return least
+  touch.gap = least
+  finish(ra, rb)
+}
+
+/** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
+export interface Walls {
+  /** px, size of the stage. */
+  width: number
+  height: number
 }
 
 /**
- * Distance of body `b` from a wall of the stage, px: all points x with n·x ≥ offset are inside. The wall is shape A,
- * its normal points inwards, and its arms count from the origin (it never turns).
+ * Distance of body `b` from wall 1 (floor), 2 (left) or 3 (right), in `touch` like `collide`. The wall is shape A: its
+ * normal points inwards, and as it never turns, its arms are left out.
  */
-export function collideWall(
-  bodies: Bodies,
-  b: number,
-  nx: number,
-  ny: number,
-  offset: number,
-  margin: number,
-): number {
+export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): void {
   const { state, motion, shape } = bodies
   turn(state, motion, b)
+  const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
+  const ny = wall === 1 ? -1 : 0
+  const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
   touch.count = 0
   touch.nx = nx
   touch.ny = ny
@@ -406,36 +442,24 @@ export function collideWall(
   const hx = shape[b * SHAPE + HX]
   const hy = shape[b * SHAPE + HY]
   const r = shape[b * SHAPE + RADIUS]
-  // How much each half extent leans into the wall.
+  // How much each half extent leans into the wall; the lowest corner leans with both.
   const lx = nx * c + ny * s
   const ly = ny * c - nx * s
-  const sx = lx > 0 ? -1 : 1
-  const sy = ly > 0 ? -1 : 1
-  const alongX = sx * lx * hx
-  const alongY = sy * ly * hy
-  const base = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r
-  const gap = base + alongX + alongY
-  if (gap > margin) return gap
-  // The lowest corner, then the other end of the lower side.
-  wallPoint(c, s, sx * hx, sy * hy, r, gap, (sx > 0 ? 1 : 0) + (sy > 0 ? 2 : 0))
-  const flipX = hy === 0 || (hx > 0 && -alongX < -alongY)
-  const rise = flipX ? -2 * alongX : -2 * alongY
-  if ((flipX ? hx : hy) > 0 && gap + rise <= margin) {
-    const kx = flipX ? -sx : sx
-    const ky = flipX ? sy : -sy
-    wallPoint(c, s, kx * hx, ky * hy, r, gap + rise, (kx > 0 ? 1 : 0) + (ky > 0 ? 2 : 0))
+  const deepX = lx > 0 ? -lx * hx : lx * hx
+  const deepY = ly > 0 ? -ly * hy : ly * hy
+  const gap = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r + deepX + deepY
+  touch.gap = gap
+  if (gap > touch.margin) return
+  let x = lx > 0 ? -hx : hx
+  let y = ly > 0 ? -hy : hy
+  addPoint(0, 0, c * x - s * y, s * x + c * y, gap, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+  // The other end of the lower side.
+  const flipX = hx > 0 && (hy === 0 || deepX > deepY)
+  const rise = gap - 2 * (flipX ? deepX : deepY)
+  if ((flipX ? hx : hy) > 0 && rise <= touch.margin) {
+    if (flipX) x = -x
+    else y = -y
+    addPoint(0, 0, c * x - s * y, s * x + c * y, rise, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
   }
-  return gap
-}
-
-function wallPoint(
-  c: number,
-  s: number,
-  x: number,
-  y: number,
-  r: number,
-  gap: number,
-  feature: number,
-): void {
-  addPoint(0, 0, c * x - s * y, s * x + c * y, 0, r, gap, feature)
+  finish(0, r)
 }

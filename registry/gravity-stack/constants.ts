@@ -18,26 +18,41 @@ export const MAX_SPEED = 3600
 export const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
 export const SUBSTEPS = 8
+/** Most velocity sweeps of a sub-step. */
+export const SWEEPS = 8
+/**
+ * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
+ * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
+ */
+export const TOLERANCE_SHARE = 0.01
+export const TOLERANCE_LEAST = 0.02
+export const TOLERANCE_MOST = 2
+/** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
+export const BALANCE = 0.05
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
-export const SLOP = 0.005
+export const SLOP = 0.004
 /** Share of the remaining overlap that one position sweep takes out. */
 export const PUSH = 0.5
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 export const MAX_PUSH = 4
+/** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
+export const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 export const MARGIN = 0.5
 /** px of motion after which a touching pair is measured again. */
-export const REFRESH = 0.1
+export const REFRESH = 0.3
 /** px by which a broad-phase box is larger than its chip. */
 export const SKIN = 8
 
-/** px/s, change of velocity below which the sweeps over simultaneous impacts stop. */
+/** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2
+export const IMPACT_SHARE = 0.05
 /** Most sweeps over one cluster of impacts. */
 export const IMPACT_SWEEPS = 24
-/** px/s of approach from which an impact is passed on to a touching neighbour. */
+/** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 export const IMPACT_SPREAD = 5
+export const IMPACT_SPREAD_SHARE = 0.02
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
 export const IMPACT_TOUCH = 0.05
 

@@ -8,12 +8,13 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  SPIN,
   STATE,
   WAY,
   X,
   Y,
 } from './body'
-import { AX, AY, BX, BY, collide, collideWall, FEATURE, GAP, POINT, touch } from './collide'
+import { AX, AY, BX, BY, collide, collideWall, FEATURE, GAP, POINT, touch, type Walls } from './collide'
 import { REFRESH } from './constants'
 
 /**
@@ -50,16 +51,22 @@ export const INV_DET = 17
 export const MASS_T = 18
 /** Lower bound of the gap plus the ways of both bodies when it was measured, px. */
 export const REACH = 19
-/** Impact: wanted velocities of both points, impulses, and the time since the start of the sub-step, s. */
+/** Impact: wanted velocities of both points, impulses, and the last change of a normal velocity, px/s. */
 export const GOAL1 = 20
 export const GOAL2 = 21
 export const HIT1 = 22
 export const HIT2 = 23
 export const HIT_T = 24
-export const WHEN = 25
+export const CHANGE = 25
 /** Sub-steps a step when the impulses were stored. */
 export const RATE = 26
-export const CONTACT = 28
+/** px/s, by how much the velocity at the end of the sub-step may exceed the one that closes the gap: half of what it gains on the way. */
+export const SLACK = 27
+/** Wanted tangential velocity at the start of the sub-step, px/s: what gravity adds until the impact is taken off. */
+export const GOAL_T = 28
+/** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
+export const LAG = 29
+export const CONTACT = 32
 
 export interface Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
@@ -180,45 +187,44 @@ export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: numbe
   motion[mb + PUSH_X] += imb * x
   motion[mb + PUSH_Y] += imb * y
   motion[mb + PUSH_SPIN] +=
-    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt)
-}
-
-/** Inner side of each wall as n·x ≥ offset: floor, left, right. */
-export interface Walls {
-  width: number
-  height: number
+    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt) + sign * d[k + LAG]
 }
 
 /**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
- * them; those of a point that is gone go to the one that is left.
+ * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
  */
-export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, margin: number): number {
+export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
   const a = contacts.pair[2 * c]
   const b = contacts.pair[2 * c + 1]
-  const wall = contacts.wall[c]
-  const gap =
-    wall === 0
-      ? collide(bodies, a, b, margin)
-      : wall === 1
-        ? collideWall(bodies, b, 0, -1, -walls.height, margin)
-        : wall === 2
-          ? collideWall(bodies, b, 1, 0, 0, margin)
-          : collideWall(bodies, b, -1, 0, -walls.width, margin)
+  const { state, motion } = bodies
+  const angleA = state[a * STATE + ANGLE]
+  const angleB = state[b * STATE + ANGLE]
+  // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
+  const turned = a > 0 ? 0 : touch.ahead * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
+  if (a > 0) collide(bodies, a, b)
+  else {
+    state[b * STATE + ANGLE] = angleB + turned
+    collideWall(bodies, walls, b, contacts.wall[c])
+    state[b * STATE + ANGLE] = angleB
+  }
   const d = contacts.data
   const k = c * CONTACT
-  const { state, motion } = bodies
   const had = d[k + POINTS]
   const loaded = had > 0 && d[k + LOAD1] + d[k + LOAD2] > 0
-  if (loaded) carry(bodies, contacts, c, -1)
+  const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
+  if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
+  d[k + LAG] = 0
   const way = motion[a * MOTION + WAY] + motion[b * MOTION + WAY]
-  d[k + REACH] = way + (touch.count > 0 ? REFRESH : gap)
+  d[k + REACH] = way + (touch.count > 0 ? REFRESH : touch.gap)
   d[k + POINTS] = touch.count
   if (touch.count === 0) {
     d[k + LOAD1] = 0
     d[k + LOAD2] = 0
     d[k + DRAG] = 0
-    return gap
+    d[k + NA2] = 0
+    d[k + NB2] = 0
+    return
   }
 
   // Impulses by feature.
@@ -267,13 +273,11 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
   const across = nx * dx + ny * dy
-  const angleA = state[a * STATE + ANGLE]
-  const angleB = state[b * STATE + ANGLE]
   d[k + NX] = nx
   d[k + NY] = ny
   d[k + NA1] = na1
   d[k + NB1] = nb1
-  d[k + BASE1] = points[GAP] - across - nb1 * angleB + na1 * angleA
+  d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K11] = k11
   if (touch.count > 1) {
@@ -286,7 +290,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     const det = k11 * k22 - k12 * k12
     d[k + NA2] = na2
     d[k + NB2] = nb2
-    d[k + BASE2] = points[POINT + GAP] - across - nb2 * angleB + na2 * angleA
+    d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
     d[k + K22] = k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
@@ -294,8 +298,14 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   d[k + TA] = ta
   d[k + TB] = tb
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
-  if (loaded) carry(bodies, contacts, c, 1)
-  return gap
+  if (loaded) {
+    // Over the sub-step the push acts with the arms half way between the old ones and these.
+    if (a === 0 && had === touch.count && f1 === old1) {
+      const now = nb1 * d[k + LOAD1] + (touch.count > 1 ? d[k + NB2] * d[k + LOAD2] : 0) + tb * d[k + DRAG]
+      d[k + LAG] = 0.5 * iib * (torque - now)
+    }
+    carry(bodies, contacts, c, 1)
+  }
 }
 
 /** px, gap of point 1 (or of point 2 with `second`) at the present poses. */

@@ -1,4 +1,20 @@
-import { type Bodies, COS, INV_INERTIA, INV_MASS, MOTION, PUSH_SPIN, PUSH_X, PUSH_Y, SIN, SPIN, STATE, VX, VY, X, Y } from './body'
+import {
+  type Bodies,
+  COS,
+  INV_INERTIA,
+  INV_MASS,
+  MOTION,
+  PUSH_SPIN,
+  PUSH_X,
+  PUSH_Y,
+  SIN,
+  SPIN,
+  STATE,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
 import { GRAB_DAMPING, GRAB_HERTZ, GRAB_STRENGTH, MAX_TOSS } from './constants'
 
 /**

@@ -16,10 +16,21 @@ import {
   X,
   Y,
 } from './body'
-import { IMPACT_SPREAD, IMPACT_SWEEPS, IMPACT_TOLERANCE, IMPACT_TOUCH } from './constants'
+import { touch, type Walls } from './collide'
 import {
+  IMPACT_SHARE,
+  IMPACT_SPREAD,
+  IMPACT_SPREAD_SHARE,
+  IMPACT_SWEEPS,
+  IMPACT_TOLERANCE,
+  IMPACT_TOUCH,
+  MARGIN,
+} from './constants'
+import {
+  CHANGE,
   CONTACT,
   type Contacts,
+  GOAL_T,
   GOAL1,
   GOAL2,
   gapOf,
@@ -39,10 +50,9 @@ import {
   NX,
   NY,
   POINTS,
+  SLACK,
   TA,
   TB,
-  type Walls,
-  WHEN,
 } from './contacts'
 
 /**
@@ -62,6 +72,8 @@ export interface Impacts {
   mark: Int32Array
   phase: number
   sweeps: number
+  /** px/s, the hardest hit of the cluster. */
+  fastest: number
 }
 
 export function createImpacts(): Impacts {
@@ -75,6 +87,7 @@ export function createImpacts(): Impacts {
     mark: new Int32Array(0),
     phase: 0,
     sweeps: 0,
+    fastest: 0,
   }
 }
 
@@ -129,7 +142,7 @@ function pull(scene: ImpactScene, k: number, a: number, b: number, second: boole
 }
 
 /** The impact that `predict` found. */
-const ahead = { time: 0, goal: 0 }
+const ahead = { time: 0, goal: 0, speed: 0 }
 
 /**
  * Whether a point of contact `c` will hit within `h` hard enough to bounce; when, and with what velocity at the start
@@ -153,6 +166,7 @@ function predict(scene: ImpactScene, c: number, second: boolean, h: number): boo
   // A bounce so low that it would land again within the sub-step is left to rest.
   const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
   ahead.time = time
+  ahead.speed = -hit
   ahead.goal = -e * hit - (hit - v)
   return true
 }
@@ -165,8 +179,9 @@ function enlist(
   goal1: number,
   goal2: number,
   when: number,
+  h: number,
 ): void {
-  const { contacts } = scene
+  const { bodies, contacts } = scene
   if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
   impacts.list[impacts.count++] = c
   contacts.mark[c] = impacts.phase
@@ -177,7 +192,18 @@ function enlist(
   d[k + HIT1] = 0
   d[k + HIT2] = 0
   d[k + HIT_T] = 0
-  d[k + WHEN] = when
+  const m = bodies.motion
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const ma = a * MOTION
+  const mb = b * MOTION
+  const fall = (b > 0 ? scene.gravity * h : 0) - (a > 0 ? scene.gravity * h : 0)
+  const slip =
+    d[k + NX] * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) -
+    d[k + NY] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+    d[k + TB] * m[mb + PUSH_SPIN] -
+    d[k + TA] * m[ma + PUSH_SPIN]
+  d[k + GOAL_T] = (-slip * when) / h
   reach(impacts, scene, contacts.pair[2 * c], when)
   reach(impacts, scene, contacts.pair[2 * c + 1], when)
 }
@@ -208,7 +234,8 @@ function measureAt(scene: ImpactScene, c: number, time: number, h: number): void
   const ba = s[b * STATE + ANGLE]
   advance(scene, a, time, h)
   advance(scene, b, time, h)
-  measure(bodies, contacts, scene.walls, c, 1)
+  touch.margin = MARGIN
+  measure(bodies, contacts, scene.walls, c)
   s[a * STATE + X] = ax
   s[a * STATE + Y] = ay
   s[a * STATE + ANGLE] = aa
@@ -239,56 +266,95 @@ export function bounceAll(
 ): void {
   const { contacts } = scene
   const d = contacts.data
+  const pair = contacts.pair
+  const s = scene.bodies.state
+  const m = scene.bodies.motion
+  const fall = scene.gravity * h
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
+  impacts.fastest = 0
   for (let i = from; i < to; i++) {
     const c = list[i]
     const k = c * CONTACT
-    if (d[k + POINTS] === 0 || d[k + LOAD1] + d[k + LOAD2] > 0) continue
-    let hit1 = predict(scene, c, false, h)
-    let hit2 = !hit1 && d[k + POINTS] > 1 && predict(scene, c, true, h)
-    if (!hit1 && !hit2) continue
-    // Measured again at the time of impact until that time stands still.
-    let time = ahead.time
-    for (let n = 0; n < 6; n++) {
-      measureAt(scene, c, time, h)
-      if (d[k + POINTS] === 0) break
-      hit1 = predict(scene, c, false, h)
-      let next = hit1 ? ahead.time : h
-      hit2 = d[k + POINTS] > 1 && predict(scene, c, true, h)
-      if (hit2) next = Math.min(next, ahead.time)
-      const step = next - time
-      time = next
-      if (step < 1e-13 && step > -1e-13) break
+    const points = d[k + POINTS]
+    if (points === 0) continue
+    if (d[k + LOAD1] + d[k + LOAD2] > 0) {
+      d[k + SLACK] = 0
+      continue
     }
-    if (d[k + POINTS] === 0 || !(hit1 || hit2)) continue
-    const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
-    const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
-    if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time)
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const sa = a * STATE
+    const sb = b * STATE
+    const ma = a * MOTION
+    const mb = b * MOTION
+    const nx = d[k + NX]
+    const ny = d[k + NY]
+    // What `predict` asks first, for both points at once: nearly every contact ends here.
+    const gain =
+      nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) + ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (a > 0 ? 0 : fall))
+    d[k + SLACK] = -0.5 * (gain + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN])
+    const speed = nx * (s[sb + VX] - s[sa + VX]) + ny * (s[sb + VY] - s[sa + VY])
+    const spinA = s[sa + SPIN]
+    const spinB = s[sb + SPIN]
+    const v1 = speed + d[k + NB1] * spinB - d[k + NA1] * spinA - 2 * Math.abs(d[k + SLACK])
+    const v2 = points > 1 ? speed + d[k + NB2] * spinB - d[k + NA2] * spinA - 2 * Math.abs(d[k + SLACK]) : 0
+    if (v1 > -scene.threshold && v2 > -scene.threshold) continue
+    enterImpact(impacts, scene, c, h)
   }
-  if (impacts.count > 0) resolve(impacts, scene)
+  if (impacts.count > 0) resolve(impacts, scene, h)
+}
+
+/** Contact `c` joins the cluster if one of its points will hit. */
+function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
+  const d = scene.contacts.data
+  const k = c * CONTACT
+  if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
+  // Measured again at the time of impact until that time stands still.
+  let time = ahead.time
+  for (let n = 0; n < 6; n++) {
+    measureAt(scene, c, time, h)
+    if (d[k + POINTS] === 0) return
+    let next = predict(scene, c, false, h) ? ahead.time : h
+    if (d[k + POINTS] > 1 && predict(scene, c, true, h)) next = Math.min(next, ahead.time)
+    const step = next - time
+    time = next
+    if (step < 1e-13 && step > -1e-13) break
+  }
+  const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
+  if (goal1 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
+  if (goal2 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time, h)
 }
 
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: ImpactScene): void {
+function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
-  let asked = 0
   for (let n = 0; n < IMPACT_SWEEPS; n++) {
+    // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
+    const exact = impacts.count === 1
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, IMPACT_SHARE * impacts.fastest)
+    const passOn = Math.max(IMPACT_SPREAD, IMPACT_SPREAD_SHARE * impacts.fastest)
+    const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
-      const change = hit(state, d, contacts.pair, impacts.list[i], scene.friction)
+      const c = impacts.list[i]
+      hit(state, d, contacts.pair, c, scene.friction)
+      const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
+      if (change > passOn) {
+        spread(impacts, scene, contacts.pair[2 * c], passOn, h)
+        spread(impacts, scene, contacts.pair[2 * c + 1], passOn, h)
+      }
     }
     impacts.sweeps += impacts.count
-    // Bodies whose neighbours have not been asked since they last moved.
-    const before = impacts.count
-    for (asked = 0; asked < impacts.bodyCount; asked++) spread(impacts, scene, impacts.bodies[asked])
-    if (most < IMPACT_TOLERANCE && impacts.count === before) break
+    if (most < still && impacts.count === before) break
   }
-  keepEnergy(impacts, bodies)
+  keepEnergy(impacts, scene, h)
   for (let n = 0; n < impacts.bodyCount; n++) {
     const i = impacts.bodies[n]
     const s = i * STATE
@@ -303,90 +369,113 @@ function resolve(impacts: Impacts, scene: ImpactScene): void {
   }
 }
 
-/** One contact of the cluster: normals to their goals, friction within its cone. Returns the change of velocity, px/s. */
-function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): number {
+/** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
+function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
   const k = c * CONTACT
   const a = pair[2 * c] * STATE
   const b = pair[2 * c + 1] * STATE
   const nx = d[k + NX]
   const ny = d[k + NY]
-  let most = 0
-  for (let point = 0; point < (d[k + POINTS] > 1 ? 2 : 1); point++) {
-    const goal = d[k + GOAL1 + point]
-    if (goal === -Infinity) continue
-    const kk = point === 0 ? d[k + K11] : d[k + K22]
-    const na = point === 0 ? d[k + NA1] : d[k + NA2]
-    const nb = point === 0 ? d[k + NB1] : d[k + NB2]
-    const old = d[k + HIT1 + point]
-    const v = approach(s, d, k, a, b, point === 1)
-    let p = old + (goal - v) / kk
+  const ima = s[a + INV_MASS]
+  const imb = s[b + INV_MASS]
+  const iia = s[a + INV_INERTIA]
+  const iib = s[b + INV_INERTIA]
+  let spinA = s[a + SPIN]
+  let spinB = s[b + SPIN]
+  const vx = s[b + VX] - s[a + VX]
+  const vy = s[b + VY] - s[a + VY]
+  let speed = nx * vx + ny * vy
+  let normal = 0
+  let change = 0
+  if (d[k + GOAL1] > -Infinity) {
+    const old = d[k + HIT1]
+    let p = old + (d[k + GOAL1] - speed - d[k + NB1] * spinB + d[k + NA1] * spinA) / d[k + K11]
     if (p < 0) p = 0
-    d[k + HIT1 + point] = p
+    d[k + HIT1] = p
     p -= old
-    const change = Math.abs(p) * kk
-    if (change > most) most = change
-    s[a + VX] -= s[a + INV_MASS] * nx * p
-    s[a + VY] -= s[a + INV_MASS] * ny * p
-    s[a + SPIN] -= s[a + INV_INERTIA] * na * p
-    s[b + VX] += s[b + INV_MASS] * nx * p
-    s[b + VY] += s[b + INV_MASS] * ny * p
-    s[b + SPIN] += s[b + INV_INERTIA] * nb * p
+    normal = p
+    speed += p * (ima + imb)
+    spinA -= iia * d[k + NA1] * p
+    spinB += iib * d[k + NB1] * p
+    change = Math.abs(p) * d[k + K11]
+  }
+  if (d[k + POINTS] > 1 && d[k + GOAL2] > -Infinity) {
+    const old = d[k + HIT2]
+    let p = old + (d[k + GOAL2] - speed - d[k + NB2] * spinB + d[k + NA2] * spinA) / d[k + K22]
+    if (p < 0) p = 0
+    d[k + HIT2] = p
+    p -= old
+    normal += p
+    spinA -= iia * d[k + NA2] * p
+    spinB += iib * d[k + NB2] * p
+    change = Math.max(change, Math.abs(p) * d[k + K22])
   }
   const ta = d[k + TA]
   const tb = d[k + TB]
-  const along =
-    nx * (s[b + VY] - s[a + VY]) - ny * (s[b + VX] - s[a + VX]) + tb * s[b + SPIN] - ta * s[a + SPIN]
   const limit = friction * (d[k + HIT1] + d[k + HIT2])
   const old = d[k + HIT_T]
-  let t = old - d[k + MASS_T] * along
-  t = t > limit ? limit : t < -limit ? -limit : t
+  let t = old + d[k + MASS_T] * (d[k + GOAL_T] - nx * vy + ny * vx - tb * spinB + ta * spinA)
+  t = t > limit ? limit : Math.max(t, -limit)
   d[k + HIT_T] = t
   t -= old
-  s[a + VX] += s[a + INV_MASS] * ny * t
-  s[a + VY] -= s[a + INV_MASS] * nx * t
-  s[a + SPIN] -= s[a + INV_INERTIA] * ta * t
-  s[b + VX] -= s[b + INV_MASS] * ny * t
-  s[b + VY] += s[b + INV_MASS] * nx * t
-  s[b + SPIN] += s[b + INV_INERTIA] * tb * t
-  return most
+  d[k + CHANGE] = change
+  const x = nx * normal - ny * t
+  const y = ny * normal + nx * t
+  s[a + VX] -= ima * x
+  s[a + VY] -= ima * y
+  s[a + SPIN] = spinA - iia * ta * t
+  s[b + VX] += imb * x
+  s[b + VY] += imb * y
+  s[b + SPIN] = spinB + iib * tb * t
 }
 
-/** Takes up the contacts of body `i` that touch and now approach: they stop dead, they don't bounce. */
-function spread(impacts: Impacts, scene: ImpactScene, i: number): void {
+/** Takes up the contacts of body `i` that touch and now approach by `from` px/s: they stop dead, they don't bounce. */
+function spread(impacts: Impacts, scene: ImpactScene, i: number, from: number, h: number): void {
+  if (i === 0) return
   const { bodies, contacts } = scene
   const d = contacts.data
+  const s = bodies.state
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const c = edge >> 1
     const k = c * CONTACT
     const points = d[k + POINTS]
     if (points === 0 || contacts.mark[c] === impacts.phase) continue
-    const a = contacts.pair[2 * c] * STATE
-    const b = contacts.pair[2 * c + 1] * STATE
+    const bodyA = contacts.pair[2 * c]
+    const bodyB = contacts.pair[2 * c + 1]
+    const a = bodyA * STATE
+    const b = bodyB * STATE
+    const nx = d[k + NX]
+    const ny = d[k + NY]
+    const speed = nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY])
+    const fast1 = speed + d[k + NB1] * s[b + SPIN] - d[k + NA1] * s[a + SPIN] < -from
+    const fast2 = points > 1 && speed + d[k + NB2] * s[b + SPIN] - d[k + NA2] * s[a + SPIN] < -from
+    if (!fast1 && !fast2) continue
     const near1 = gapOf(bodies, contacts, c, false) < IMPACT_TOUCH
     const near2 = points > 1 && gapOf(bodies, contacts, c, true) < IMPACT_TOUCH
-    const fast1 = near1 && approach(bodies.state, d, k, a, b, false) < -IMPACT_SPREAD
-    const fast2 = near2 && approach(bodies.state, d, k, a, b, true) < -IMPACT_SPREAD
-    if (fast1 || fast2) {
-      if (bodies.asleep[contacts.pair[2 * c]] === 1 || bodies.asleep[contacts.pair[2 * c + 1]] === 1) continue
-      enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i])
-    }
+    if (!(fast1 && near1) && !(fast2 && near2)) continue
+    if (bodies.asleep[bodyA] === 1 || bodies.asleep[bodyB] === 1) continue
+    enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i], h)
   }
 }
 
 /** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
-function keepEnergy(impacts: Impacts, bodies: Bodies): void {
-  const { state } = bodies
+function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
+  const { state, motion } = scene.bodies
   let linear = 0
   let square = 0
   for (let n = 0; n < impacts.bodyCount; n++) {
-    const s = impacts.bodies[n] * STATE
+    const i = impacts.bodies[n]
+    const s = i * STATE
+    const part = impacts.when[i] / h
     const m = 1 / state[s + INV_MASS]
     const inertia = 1 / state[s + INV_INERTIA]
     for (let axis = 0; axis < 3; axis++) {
       const weight = axis < 2 ? m : inertia
       const before = impacts.before[n * 3 + axis]
       const change = state[s + VX + axis] - before
-      linear += weight * before * change
+      // Velocities change on the way to the impact: energy counts at its time.
+      const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
+      linear += weight * (before + gained) * change
       square += weight * change * change
     }
   }

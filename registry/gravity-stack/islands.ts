@@ -14,8 +14,9 @@ import {
   X,
   Y,
 } from './body'
+import { touch, type Walls } from './collide'
 import { MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
-import { CONTACT, type Contacts, LOAD1, LOAD2, measure, POINTS, REACH, type Walls } from './contacts'
+import { CONTACT, type Contacts, LOAD1, LOAD2, measure, POINTS, REACH } from './contacts'
 
 /**
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
@@ -77,8 +78,8 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   const b = find(parent, j)
   if (a === b) return
   // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
-  const root = a < b ? a : b
-  const leaf = a < b ? b : a
+  const root = Math.min(a, b)
+  const leaf = Math.max(a, b)
   parent[leaf] = root
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
@@ -97,7 +98,9 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
 function mayTouch(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): boolean {
   if (contacts.data[c * CONTACT + POINTS] > 0) return true
   if (gapBound(bodies, contacts, c) > reach + MARGIN) return false
-  return measure(bodies, contacts, walls, c, MARGIN) <= reach + MARGIN
+  touch.margin = MARGIN
+  measure(bodies, contacts, walls, c)
+  return touch.gap <= reach + MARGIN
 }
 
 /**
@@ -189,7 +192,7 @@ function gather(
     let mine = reach[i]
     if (again) {
       const root = reach[find(parent, i)]
-      if (root <= mine) continue
+      if (root <= mine + 1) continue
       mine = root
     }
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {

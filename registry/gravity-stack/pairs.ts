@@ -15,8 +15,9 @@ import {
   X,
   Y,
 } from './body'
+import type { Walls } from './collide'
 import { SKIN, STEP } from './constants'
-import { addContact, type Contacts, removeContact, type Walls } from './contacts'
+import { addContact, type Contacts, removeContact } from './contacts'
 
 /**
  * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
@@ -88,17 +89,17 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const ey = hx * n + hy * c + r
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
-  const left = state[s + X] - ex + (goX < 0 ? goX : 0)
-  const right = state[s + X] + ex + (goX > 0 ? goX : 0)
-  const top = state[s + Y] - ey + (goY < 0 ? goY : 0)
-  const bottom = state[s + Y] + ey + (goY > 0 ? goY : 0)
+  const left = state[s + X] - ex + Math.min(goX, 0)
+  const right = state[s + X] + ex + Math.max(goX, 0)
+  const top = state[s + Y] - ey + Math.min(goY, 0)
+  const bottom = state[s + Y] + ey + Math.max(goY, 0)
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
-  box[k] = left - SKIN + (goX < 0 ? goX : 0)
-  box[k + 1] = top - SKIN + (goY < 0 ? goY : 0)
-  box[k + 2] = right + SKIN + (goX > 0 ? goX : 0)
-  box[k + 3] = bottom + SKIN + (goY > 0 ? goY : 0)
+  box[k] = left - SKIN + Math.min(goX, 0)
+  box[k + 1] = top - SKIN + Math.min(goY, 0)
+  box[k + 2] = right + SKIN + Math.max(goX, 0)
+  box[k + 3] = bottom + SKIN + Math.max(goY, 0)
   return true
 }
 
@@ -171,7 +172,7 @@ export function updatePairs(
         for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
           partner[contacts.pair[edge ^ 1]] = i
       }
-      if (partner[j] !== i) addContact(contacts, i < j ? i : j, i < j ? j : i, 0)
+      if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
     }
     // The marks of one body must not outlive it.
     if (marked)

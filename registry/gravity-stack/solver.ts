@@ -19,14 +19,13 @@ import {
   SHAPE,
   SPIN,
   STATE,
-  turn,
   VX,
   VY,
   WAY,
   X,
   Y,
 } from './body'
-import { MAX_PUSH, MAX_SPEED, PUSH, SLOP } from './constants'
+import { CLOSING, MAX_PUSH, MAX_SPEED, PUSH, SLOP } from './constants'
 import {
   BASE1,
   BASE2,
@@ -47,6 +46,7 @@ import {
   NX,
   NY,
   POINTS,
+  SLACK,
   TA,
   TB,
 } from './contacts'
@@ -85,7 +85,8 @@ export function kick(
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load. Returns the largest change of a normal velocity, px/s.
+ * complementarity problem, by cases), then friction in the interval ±μ·load. With `push`, overlap left by the last move is
+ * taken out of the poses first (`separate` in passing, as the gaps are at hand). Returns the largest change of a normal velocity, px/s.
  */
 export function sweep(
   bodies: Bodies,
@@ -95,6 +96,7 @@ export function sweep(
   to: number,
   h: number,
   friction: number,
+  push: boolean,
 ): number {
   const s = bodies.state
   const d = contacts.data
@@ -124,8 +126,14 @@ export function sweep(
     const nb1 = d[k + NB1]
     const l1 = d[k + LOAD1]
     const gap1 = d[k + BASE1] + across + nb1 * angleB - na1 * angleA
-    const w1 = speed + nb1 * spinB - na1 * spinA + (gap1 > 0 ? gap1 * perH : 0)
+    const w1 =
+      speed +
+      nb1 * spinB -
+      na1 * spinA +
+      (gap1 > 0 ? (l1 > 0 ? CLOSING * gap1 * perH : gap1 * perH + d[k + SLACK]) : 0)
     const k11 = d[k + K11]
+    // A body on its way out, as after an impact, needs no push.
+    if (push && gap1 < -SLOP && (w1 <= 0 || gap1 + w1 * h < -SLOP)) part(s, d, k, a, b, gap1, 0)
     let p1: number
     let normal: number
     let load: number
@@ -146,7 +154,12 @@ export function sweep(
       const nb2 = d[k + NB2]
       const l2 = d[k + LOAD2]
       const gap2 = d[k + BASE2] + across + nb2 * angleB - na2 * angleA
-      const w2 = speed + nb2 * spinB - na2 * spinA + (gap2 > 0 ? gap2 * perH : 0)
+      const w2 =
+        speed +
+        nb2 * spinB -
+        na2 * spinA +
+        (gap2 > 0 ? (l2 > 0 ? CLOSING * gap2 * perH : gap2 * perH + d[k + SLACK]) : 0)
+      if (push && gap2 < -SLOP && (w2 <= 0 || gap2 + w2 * h < -SLOP)) part(s, d, k, a, b, gap2, 1)
       const k12 = d[k + K12]
       const k22 = d[k + K22]
       const det = d[k + INV_DET]
@@ -230,7 +243,6 @@ export function move(bodies: Bodies, list: Int32Array, from: number, to: number,
     capSpeed(state, s)
     motion[m + NEXT] =
       1.25 * h * (Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN]))
-    turn(state, motion, i)
   }
 }
 
@@ -244,6 +256,28 @@ export function capSpeed(state: Float64Array, s: number): void {
     state[s + VX] = vx * k
     state[s + VY] = vy * k
   }
+}
+
+/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal. */
+function part(
+  s: Float64Array,
+  d: Float64Array,
+  k: number,
+  a: number,
+  b: number,
+  gap: number,
+  point: number,
+): void {
+  const want = PUSH * (-SLOP - gap)
+  const p = Math.min(want, MAX_PUSH) / (point === 0 ? d[k + K11] : d[k + K22])
+  const pa = s[a + INV_MASS] * p
+  const pb = s[b + INV_MASS] * p
+  s[a + X] -= d[k + NX] * pa
+  s[a + Y] -= d[k + NY] * pa
+  s[a + ANGLE] -= s[a + INV_INERTIA] * (point === 0 ? d[k + NA1] : d[k + NA2]) * p
+  s[b + X] += d[k + NX] * pb
+  s[b + Y] += d[k + NY] * pb
+  s[b + ANGLE] += s[b + INV_INERTIA] * (point === 0 ? d[k + NB1] : d[k + NB2]) * p
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
@@ -266,42 +300,17 @@ export function separate(
     const b = pair[2 * c + 1] * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
-    const na1 = d[k + NA1]
-    const nb1 = d[k + NB1]
-    let across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-    let angleA = s[a + ANGLE]
-    let angleB = s[b + ANGLE]
-    const iia = s[a + INV_INERTIA]
-    const iib = s[b + INV_INERTIA]
-    let sum = 0
-    let gap = d[k + BASE1] + across + nb1 * angleB - na1 * angleA
-    if (gap < -SLOP) {
-      const want = PUSH * (-SLOP - gap)
-      sum = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K11]
-      angleA -= iia * na1 * sum
-      angleB += iib * nb1 * sum
-    }
+    const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
+    const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
+    if (gap1 < -SLOP) part(s, d, k, a, b, gap1, 0)
     if (points > 1) {
-      const na2 = d[k + NA2]
-      const nb2 = d[k + NB2]
-      across += sum * (s[a + INV_MASS] + s[b + INV_MASS])
-      gap = d[k + BASE2] + across + nb2 * angleB - na2 * angleA
-      if (gap < -SLOP) {
-        const want = PUSH * (-SLOP - gap)
-        const p = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K22]
-        angleA -= iia * na2 * p
-        angleB += iib * nb2 * p
-        sum += p
-      }
+      const gap2 =
+        d[k + BASE2] +
+        nx * (s[b + X] - s[a + X]) +
+        ny * (s[b + Y] - s[a + Y]) +
+        d[k + NB2] * s[b + ANGLE] -
+        d[k + NA2] * s[a + ANGLE]
+      if (gap2 < -SLOP) part(s, d, k, a, b, gap2, 1)
     }
-    if (sum === 0) continue
-    const pa = s[a + INV_MASS] * sum
-    const pb = s[b + INV_MASS] * sum
-    s[a + X] -= nx * pa
-    s[a + Y] -= ny * pa
-    s[a + ANGLE] = angleA
-    s[b + X] += nx * pb
-    s[b + Y] += ny * pb
-    s[b + ANGLE] = angleB
   }
 }

@@ -19,15 +19,16 @@ import {
   STATE,
   setPose,
   setShape,
-  turn,
   VX,
   VY,
   WAY,
   X,
   Y,
 } from './body'
+import { touch } from './collide'
 import {
   ANGULAR_DAMPING,
+  BALANCE,
   BOUNCE,
   BOUNCE_THRESHOLD,
   FRICTION,
@@ -39,12 +40,17 @@ import {
   SLOP,
   STEP,
   SUBSTEPS,
+  SWEEPS,
+  TOLERANCE_LEAST,
+  TOLERANCE_MOST,
+  TOLERANCE_SHARE,
 } from './constants'
 import {
   CONTACT,
   carry,
   createContacts,
   DRAG,
+  LAG,
   LOAD1,
   LOAD2,
   measure,
@@ -129,6 +135,9 @@ export interface Stats {
   islands: number
   substeps: number
   sweeps: number
+  /** Contacts visited by the sweeps over impacts. */
+  hits: number
+  rows: number
 }
 
 export type World = ReturnType<typeof createWorld>
@@ -168,6 +177,8 @@ export function createWorld(options: WorldOptions) {
     islands: 0,
     substeps: 0,
     sweeps: 0,
+    hits: 0,
+    rows: 0,
   }
   let densities = new Float64Array(0)
   let awake = new Int32Array(0)
@@ -251,9 +262,14 @@ export function createWorld(options: WorldOptions) {
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (contacts.data[k + REACH] - motion[i * MOTION + WAY] - motion[j * MOTION + WAY] > go + MARGIN)
           continue
-        const gap = measure(bodies, contacts, walls, c, MARGIN)
+        touch.margin = MARGIN
+        measure(bodies, contacts, walls, c)
         stats.narrow++
-        if (contacts.data[k + POINTS] === 0 ? gap < go : gap < -4 * SLOP || closing(c) > IMPACT_SPREAD)
+        if (
+          contacts.data[k + POINTS] === 0
+            ? touch.gap < go
+            : touch.gap < -4 * SLOP || closing(c) > IMPACT_SPREAD
+        )
           wake(j)
       }
     }
@@ -315,31 +331,79 @@ export function createWorld(options: WorldOptions) {
     state[s + SPIN] *= spin.fade
     motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy) + bodies.shape[i * SHAPE + EXTENT] * Math.abs(by)
     capSpeed(state, s)
-    turn(state, motion, i)
   }
 
   /** One island through the step. */
   function solve(b0: number, b1: number, c0: number, c1: number): void {
+    const list = islands.contacts
     const substeps = options.substeps ?? SUBSTEPS
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    warmStart(b0, b1, c0, c1, substeps)
+    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * fastest(b0, b1)))
+    const grabbed = holds.filter((hold) => inIsland(hold, b0))
+    warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
-      refresh(c0, c1)
-      bounceAll(impacts, scene, islands.contacts, c0, c1, h)
+      refresh(c0, c1, h)
+      bounceAll(impacts, scene, list, c0, c1, h)
       kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
-      for (const hold of holds) if (inIsland(hold, b0)) prepareHold(bodies, hold, h, scene.gravity)
-      for (const hold of holds) if (inIsland(hold, b0)) solveHold(bodies, hold)
-      sweep(bodies, contacts, islands.contacts, c0, c1, h, scene.friction)
+      for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      let change = Infinity
+      for (let k = 0; k < SWEEPS && change > tolerance; k++) {
+        for (const hold of grabbed) solveHold(bodies, hold)
+        change = sweep(bodies, contacts, list, c0, c1, h, scene.friction, n > 0 && k === 0)
+        stats.sweeps++
+        stats.rows += c1 - c0
+      }
       move(bodies, islands.bodies, b0, b1, h)
-      separate(bodies, contacts, islands.contacts, c0, c1)
+      stats.substeps++
+      if (change < BALANCE && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
-    stats.substeps += substeps
-    stats.sweeps += substeps
+    separate(bodies, contacts, list, c0, c1)
+  }
+
+  /** Whether no body of an island moves or gains speed. */
+  function inBalance(b0: number, b1: number, h: number): boolean {
+    const { state, motion, shape } = bodies
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      const s = i * STATE
+      const m = i * MOTION
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      if (speed > BALANCE) return false
+      if (Math.abs(motion[m + PUSH_X]) + Math.abs(motion[m + PUSH_Y] + scene.gravity * h) > BALANCE)
+        return false
+    }
+    return true
+  }
+
+  /** px/s, speed of the fastest point of the bodies of an island. */
+  function fastest(b0: number, b1: number): number {
+    const { state, shape } = bodies
+    let most = 0
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      const s = i * STATE
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      if (speed > most) most = speed
+    }
+    return most
   }
 
   /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
-  function warmStart(b0: number, b1: number, c0: number, c1: number, substeps: number): void {
+  function warmStart(
+    b0: number,
+    b1: number,
+    c0: number,
+    c1: number,
+    grabbed: Hold[],
+    substeps: number,
+  ): void {
     const { motion, state, shape } = bodies
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
@@ -360,6 +424,7 @@ export function createWorld(options: WorldOptions) {
     for (let n = c0; n < c1; n++) {
       const c = islands.contacts[n]
       const k = c * CONTACT
+      d[k + LAG] = 0
       if (d[k + POINTS] > 0 && d[k + LOAD1] + d[k + LOAD2] > 0) {
         if (d[k + RATE] !== substeps) {
           const scale = d[k + RATE] / substeps
@@ -371,11 +436,12 @@ export function createWorld(options: WorldOptions) {
       }
       d[k + RATE] = substeps
     }
-    for (const hold of holds) if (inIsland(hold, b0)) carryHold(bodies, hold, substeps)
+    for (const hold of grabbed) carryHold(bodies, hold, substeps)
   }
 
   /** Measures again what has moved: a wall at every move, a touching pair after `REFRESH`, others when they may meet. */
-  function refresh(c0: number, c1: number): void {
+  function refresh(c0: number, c1: number, h: number): void {
+    touch.ahead = h
     const d = contacts.data
     const m = bodies.motion
     for (let n = c0; n < c1; n++) {
@@ -392,10 +458,12 @@ export function createWorld(options: WorldOptions) {
             : gone > d[k + REACH]
           : d[k + REACH] - gone < margin
       if (due) {
-        measure(bodies, contacts, walls, c, margin)
+        touch.margin = margin
+        measure(bodies, contacts, walls, c)
         stats.narrow++
       }
     }
+    touch.ahead = 0
   }
 
   /** Whether the body that `hold` holds is in the island that starts at `b0`. */
@@ -498,6 +566,7 @@ export function createWorld(options: WorldOptions) {
       stats.islands = 0
       stats.substeps = 0
       stats.sweeps = 0
+      stats.rows = 0
       impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? seconds : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
@@ -505,7 +574,7 @@ export function createWorld(options: WorldOptions) {
         left = Math.max(0, left - STEP)
         stepOnce()
       }
-      stats.sweeps += impacts.sweeps
+      stats.hits = impacts.sweeps
       count()
     },
 
