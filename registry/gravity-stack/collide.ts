@@ -82,15 +82,15 @@ const PX = 0
 const PY = 1
 const UX = 2
 const UY = 3
-const VX = 4
-const VY = 5
+const EDGE_X = 4
+const EDGE_Y = 5
 const S = 6
 const T = 7
 function closest(): void {
   const ux = line[UX]
   const uy = line[UY]
-  const vx = line[VX]
-  const vy = line[VY]
+  const vx = line[EDGE_X]
+  const vy = line[EDGE_Y]
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
   const uv = ux * vx + uy * vy
@@ -138,8 +138,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   line[PY] = py
   line[UX] = ux
   line[UY] = uy
-  line[VX] = vx
-  line[VY] = vy
+  line[EDGE_X] = vx
+  line[EDGE_Y] = vy
   closest()
   const s = line[S]
   const t = line[T]
@@ -342,8 +342,8 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
     line[PY] = my - fy * depth
     line[UX] = gx * half
     line[UY] = gy * half
-    line[VX] = ex
-    line[VY] = ey
+    line[EDGE_X] = ex
+    line[EDGE_Y] = ey
     closest()
     const s = line[S]
     const t = line[T]
