@@ -4,6 +4,7 @@ import { Code } from '@/components/code-block'
 import { Command } from '@/components/command'
 import { Hero } from '@/components/hero'
 import { ArrowIcon } from '@/components/icons'
+import { costOf60 } from '@/lib/bench'
 import { heroEffects, heroSnippets } from '@/lib/hero-snippets'
 import { componentSize } from '@/lib/size'
 import { siteUrl } from '@/site.config.mjs'
@@ -13,6 +14,7 @@ const snippets = Object.fromEntries(
 ) as Record<(typeof heroEffects)[number], ReactNode>
 
 export default function Home() {
+  const cost = costOf60()
   return (
     <main id="content" className="mx-auto w-full max-w-[80rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
@@ -54,10 +56,31 @@ export default function Home() {
         <Fact figure="0" title="frames at rest">
           Chips that lie still sleep, and the loop ends with the last of them. Off screen nothing runs at all.
         </Fact>
-        <Fact figure="∞" title="shapes, one family">
-          Pill, disc, card or box: a child collides as it is drawn, from its measured size and corner radius.
-        </Fact>
+        {cost ? (
+          <Fact figure={`${cost.micros} µs`} title="a frame, 60 chips awake">
+            Measured on {cost.cpu}, beside every other engine and against exact answers.{' '}
+            <Link href="/benchmarks" className="underline underline-offset-4">
+              Benchmarks
+            </Link>
+          </Fact>
+        ) : (
+          <Fact figure="4" title="shapes, one family">
+            Pill, disc, card or box: a child collides as it is drawn, from its measured size and corner
+            radius.
+          </Fact>
+        )}
       </dl>
+      <ul className="mt-20 grid grid-cols-[minmax(0,1fr)] gap-4 md:grid-cols-3">
+        <Way href="/playground" title="Playground">
+          Turn every prop, step through the fall, take the code.
+        </Way>
+        <Way href="/docs/how-it-works" title="How it works">
+          Six ideas, each with a figure that runs the solver under your fingers.
+        </Way>
+        <Way href="/docs/accessibility" title="Accessibility">
+          Reduced motion, keyboard, screen reader, touch, paper: criterion by criterion.
+        </Way>
+      </ul>
     </main>
   )
 }
@@ -71,5 +94,24 @@ function Fact({ figure, title, children }: { figure: string; title: string; chil
       </dt>
       <dd className="mt-2 text-pretty text-muted-foreground text-sm leading-relaxed">{children}</dd>
     </div>
+  )
+}
+
+function Way({ href, title, children }: { href: string; title: string; children: ReactNode }) {
+  return (
+    <li>
+      <Link
+        href={href}
+        className="group block h-full rounded-2xl border bg-panel p-6 transition-colors hover:border-foreground/40"
+      >
+        <span className="flex items-center justify-between font-medium">
+          {title}
+          <ArrowIcon className="text-muted-foreground transition-transform group-hover:translate-x-0.5" />
+        </span>
+        <span className="mt-2 block text-pretty text-muted-foreground text-sm leading-relaxed">
+          {children}
+        </span>
+      </Link>
+    </li>
   )
 }

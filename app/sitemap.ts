@@ -5,7 +5,7 @@ import { siteUrl } from '@/site.config.mjs'
 export const dynamic = 'force-static'
 
 export default function sitemap(): MetadataRoute.Sitemap {
-  return ['', '/playground', ...docs.map((doc) => `/docs/${doc.slug}`)].map((path) => ({
+  return ['', '/docs', '/playground', ...docs.map((doc) => `/docs/${doc.slug}`)].map((path) => ({
     url: siteUrl + path,
   }))
 }

@@ -1,4 +1,4 @@
-import { cn } from 'cn'
+import { classes } from '@/lib/classes'
 import { type CodeLanguage, highlight } from '@/lib/highlight'
 import { CopyButton } from './copy-button'
 
@@ -28,7 +28,7 @@ export function CodeBlock({
   className?: string
 }) {
   return (
-    <div className={cn('code relative overflow-hidden rounded-xl border bg-panel', className)}>
+    <div className={classes('code relative overflow-hidden rounded-xl border bg-panel', className)}>
       {title && (
         <div className="border-b px-4 py-2.5 pr-12 font-mono text-muted-foreground text-xs">{title}</div>
       )}

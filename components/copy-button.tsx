@@ -1,7 +1,7 @@
 'use client'
 
-import { cn } from 'cn'
 import { useEffect, useState } from 'react'
+import { classes } from '@/lib/classes'
 import { CheckIcon, CopyIcon } from './icons'
 
 /**
@@ -59,7 +59,7 @@ export function CopyButton({
       aria-label={said}
       title={said}
       onClick={(event) => copy(event.currentTarget)}
-      className={cn(
+      className={classes(
         'inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground',
         state === 'failed' && 'text-red-700 dark:text-red-300',
         className,

@@ -1,4 +1,4 @@
-import { cn } from 'cn'
+import { classes } from '@/lib/classes'
 
 const steps = [
   'bg-elevation-0 shadow-[inset_0_0_0_1px_var(--edge-outline)]',
@@ -15,17 +15,19 @@ export function ElevationLadder() {
       {(['light', 'dark'] as const).map((theme) => (
         <div
           key={theme}
-          className={cn(
+          className={classes(
             theme,
             'overflow-hidden rounded-2xl border border-(--edge-outline) bg-elevation-0 px-6 pt-5 pb-8',
           )}
         >
-          <p className={cn('text-xs', theme === 'dark' ? 'text-neutral-300' : 'text-neutral-600')}>{theme}</p>
+          <p className={classes('text-xs', theme === 'dark' ? 'text-neutral-300' : 'text-neutral-600')}>
+            {theme}
+          </p>
           <ol className="mt-4 flex flex-col gap-5">
             {steps.map((step, height) => (
               <li
                 key={step}
-                className={cn(
+                className={classes(
                   'rounded-full px-5 py-2.5 font-medium text-sm',
                   theme === 'dark' ? 'text-neutral-100' : 'text-neutral-800',
                   step,

@@ -1,7 +1,7 @@
 'use client'
 
-import { cn } from 'cn'
 import { type ReactNode, useRef, useState } from 'react'
+import { classes } from '@/lib/classes'
 import type { HeroEffect } from '@/lib/hero-snippets'
 import { CopyButton } from './copy-button'
 import { GravityStack, type GravityStackActions } from './ui/gravity-stack'
@@ -78,10 +78,10 @@ export function Hero({
           {chips.map(([words, tint, shape]) => (
             <span
               key={words}
-              className={cn(
+              className={classes(
                 'font-medium text-sm transition-[background-color,box-shadow,color] duration-300 sm:text-xl',
                 shape,
-                neutral ? 'bg-elevation-3 text-foreground shadow-raised-3' : [tinted, tints[tint]],
+                neutral ? 'bg-elevation-3 text-foreground shadow-raised-3' : `${tinted} ${tints[tint]}`,
               )}
             >
               {words}
@@ -108,7 +108,7 @@ export function Hero({
         </div>
         <div className="grid grid-cols-[minmax(0,1fr)] *:col-start-1 *:row-start-1">
           {effects.map(({ effect: name }) => (
-            <div key={name} inert={effect !== name} className={cn(effect !== name && 'invisible')}>
+            <div key={name} inert={effect !== name} className={classes(effect !== name && 'invisible')}>
               {snippets[name]}
             </div>
           ))}

@@ -46,12 +46,12 @@ const components: Record<string, unknown> = {
   // rehype-pretty-code wraps each block in a figure.
   figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
     <figure {...props} className="code relative overflow-hidden rounded-xl border bg-panel">
-      <CopyButton className="absolute top-1.5 right-1.5 bg-panel" />
+      <CopyButton className="absolute top-1 right-1.5 bg-panel" />
       {children}
     </figure>
   ),
   figcaption: ({ children }: ComponentProps<'figcaption'>) => (
-    <figcaption className="border-b px-4 py-2.5 pr-12 font-mono text-muted-foreground text-xs">
+    <figcaption className="border-b px-4 py-3 pr-12 font-mono text-muted-foreground text-xs">
       {children}
     </figcaption>
   ),
@@ -62,7 +62,7 @@ const components: Record<string, unknown> = {
   table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
   tr: (props: ComponentProps<'tr'>) => <tr className="border-b last:border-0" {...props} />,
   th: (props: ComponentProps<'th'>) => (
-    <th scope="col" className="px-4 py-2.5 font-medium text-muted-foreground" {...props} />
+    <th scope="col" className="border-b px-4 py-2.5 font-medium text-muted-foreground" {...props} />
   ),
   td: (props: ComponentProps<'td'>) => <td className="min-w-28 px-4 py-2.5 align-baseline" {...props} />,
   Changelog: () => <Changelog components={components as never} />,

@@ -1,6 +1,5 @@
 'use client'
 
-import { cn } from 'cn'
 import {
   type PointerEvent,
   type ReactNode,
@@ -11,6 +10,7 @@ import {
   useRef,
   useState,
 } from 'react'
+import { classes } from '@/lib/classes'
 import {
   chipsOf,
   codeOf,
@@ -258,7 +258,7 @@ export function Playground() {
               onPointerUp={letGo}
               onPointerCancel={letGo}
               onLostPointerCapture={letGo}
-              className={cn(
+              className={classes(
                 'absolute top-0 left-0 flex w-max select-none',
                 now.interactive && 'cursor-grab touch-none active:cursor-grabbing',
               )}

@@ -1,7 +1,7 @@
 'use client'
 
-import { cn } from 'cn'
 import { Fragment, type ReactNode, useId, useState } from 'react'
+import { classes } from '@/lib/classes'
 import { CopyButton } from './copy-button'
 import { ReplayIcon } from './icons'
 import { TabList } from './tab-list'
@@ -49,10 +49,13 @@ export function PreviewTabs({
         )}
       </div>
       <div className="grid min-w-0 grid-cols-[minmax(0,1fr)] *:col-start-1 *:row-start-1">
-        <div {...panel('preview')} className={cn('mb-3 border-b bg-stage', tab !== 'preview' && 'invisible')}>
+        <div
+          {...panel('preview')}
+          className={classes('mb-3 border-b bg-stage', tab !== 'preview' && 'invisible')}
+        >
           <Fragment key={drop}>{children}</Fragment>
         </div>
-        <div {...panel('code')} className={cn('relative', tab !== 'code' && 'invisible')}>
+        <div {...panel('code')} className={classes('relative', tab !== 'code' && 'invisible')}>
           {code}
         </div>
       </div>

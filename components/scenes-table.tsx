@@ -3,7 +3,7 @@ import { filmOf } from './lab/film'
 import { ScrollTable } from './scroll-table'
 
 const figureOf = (value: number) =>
-  value === 0 ? '0' : Math.abs(value) < 1e-3 ? value.toExponential(0) : String(Number(value.toPrecision(2)))
+  value === 0 ? '0' : Math.abs(value) < 1e-3 ? value.toExponential(0) : String(Number(value.toPrecision(3)))
 
 /** Every scene that a build can run in a moment, with what the solver makes of it. */
 export function ScenesTable() {

@@ -1,7 +1,7 @@
 'use client'
 
-import { cn } from 'cn'
 import type { KeyboardEvent } from 'react'
+import { classes } from '@/lib/classes'
 
 type Tab = { value: string; label: string }
 
@@ -36,7 +36,7 @@ export function TabList({
       role="tablist"
       aria-label={label}
       onKeyDown={move}
-      className={cn(
+      className={classes(
         'flex',
         look === 'segments' && 'gap-0.5 rounded-lg bg-muted p-0.5',
         look === 'quiet' && 'gap-1',
@@ -52,7 +52,7 @@ export function TabList({
           aria-selected={tab.value === value}
           tabIndex={tab.value === value ? 0 : -1}
           onClick={() => onSelect(tab.value)}
-          className={cn(
+          className={classes(
             'rounded-md text-sm text-muted-foreground transition-colors hover:text-foreground aria-selected:text-foreground',
             look === 'segments' &&
               'px-3 py-1 aria-selected:bg-panel aria-selected:shadow-[0_1px_2px_rgb(0_0_0/0.12),0_0_0_1px_var(--border)]',

@@ -4,7 +4,7 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
-const pages = ['/', '/playground', ...docs, '/404']
+const pages = ['/', '/docs', '/playground', ...docs, '/404']
 
 /** px that the page is wider than its window. */
 const overflow = (page: Page) =>
@@ -220,4 +220,188 @@ test('the component page brings at most 165 kB of script', async ({ page }) => {
   await page.goto('/docs/gravity-stack', { waitUntil: 'networkidle' })
   const bytes = (await Promise.all(scripts)).reduce((sum, body) => sum + gzipSync(body).length, 0)
   expect(bytes / 1000).toBeLessThanOrEqual(165)
+})
+
+test('on a narrow screen the menu opens, closes with Escape, and closes when it has led somewhere', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 375, height: 700 })
+  await page.goto('/docs/setup')
+  const menu = page.getByRole('dialog', { name: 'Menu' })
+  await page.getByRole('button', { name: 'Menu' }).click()
+  await expect(menu).toBeVisible()
+  await page.keyboard.press('Escape')
+  await expect(menu).toBeHidden()
+  await expect(page.getByRole('button', { name: 'Menu' })).toBeFocused()
+  await page.getByRole('button', { name: 'Menu' }).click()
+  await menu.getByRole('link', { name: 'Elevation' }).click()
+  await expect(page.getByRole('heading', { level: 1, name: 'Elevation' })).toBeVisible()
+  await expect(menu).toBeHidden()
+})
+
+test('the first Tab offers to skip to the content', async ({ page }) => {
+  await page.goto('/docs/setup')
+  await page.keyboard.press('Tab')
+  await expect(page.getByRole('link', { name: 'Skip to content' })).toBeFocused()
+  await expect(page.getByRole('link', { name: 'Skip to content' })).toBeInViewport()
+})
+
+test('llms.txt and the sitemap list every page, and llms-full.txt holds the source', async ({ request }) => {
+  const index = await (await request.get('/llms.txt')).text()
+  const map = await (await request.get('/sitemap.xml')).text()
+  for (const path of docs) {
+    expect(index).toContain(`${path}.md)`)
+    expect(map).toContain(`${path}</loc>`)
+  }
+  const full = await (await request.get('/llms-full.txt')).text()
+  expect(full).toContain(readFileSync('components/ui/gravity-stack.tsx', 'utf8').trim())
+})
+
+test('every page has words of its own and a picture for those who share it', async ({ page, request }) => {
+  const seen = new Set<string>()
+  for (const path of pages.filter((path) => path !== '/404')) {
+    await page.goto(path)
+    const meta = (name: string) => page.locator(`meta[property="${name}"]`).getAttribute('content')
+    seen.add(`${await page.title()} ${await page.locator('meta[name=description]').getAttribute('content')}`)
+    const picture = new URL((await meta('og:image')) ?? '')
+    expect((await request.get(picture.pathname)).headers()['content-type']).toBe('image/png')
+  }
+  expect(seen.size).toBe(pages.length - 1)
+})
+
+test('an address that leads nowhere gets the page whose words fall', async ({ page }) => {
+  const answer = await page.goto('/nowhere/at/all')
+  expect(answer?.status()).toBe(404)
+  await expect(page.getByRole('heading', { name: 'Page not found' })).toBeVisible()
+  await expect(page.locator('[data-slot=gravity-stack]')).toHaveAttribute('data-state', 'resting', {
+    timeout: 30_000,
+  })
+})
+
+test.describe('without script', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('words, commands, code and chips can all be read', async ({ page }) => {
+    await page.goto('/docs/gravity-stack')
+    await expect(page.getByText('npx shadcn@latest add').first()).toBeVisible()
+    await expect(page.getByText('Prototype', { exact: true })).toBeVisible()
+    await page.goto('/')
+    await expect(page.getByText('no physics library')).toBeVisible()
+  })
+})
+
+test.describe('playground', () => {
+  const stage = '[data-slot=playground-stage]'
+  const resting = { timeout: 30_000 }
+
+  test('drops its chips, and all of them lie inside and still', async ({ page }) => {
+    await page.goto('/playground')
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', resting)
+    const outside = await page.locator(stage).evaluate((element) => {
+      const box = element.getBoundingClientRect()
+      return [...element.querySelectorAll('[data-chip]')].filter((chip) => {
+        const { left, right, bottom } = chip.getBoundingClientRect()
+        return left < box.left - 1 || right > box.right + 1 || bottom > box.bottom + 1
+      }).length
+    })
+    expect(outside).toBe(0)
+  })
+
+  test('the address holds the settings, and Reset clears it', async ({ page }) => {
+    await page.goto('/playground')
+    await page.getByLabel('Shape').selectOption('mixed')
+    await page.getByLabel('gravity').focus()
+    await page.keyboard.press('ArrowRight')
+    await expect(page).toHaveURL(/\?shape=mixed&gravity=2700$/)
+    await page.reload()
+    await expect(page.getByLabel('Shape')).toHaveValue('mixed')
+    await expect(page.getByText('<GravityStack gravity={2700} className="h-96">')).toBeVisible()
+    await page.getByRole('button', { name: 'Reset' }).click()
+    await expect(page).toHaveURL(/\/playground$/)
+    await expect(page.getByLabel('Shape')).toHaveValue('pills')
+  })
+
+  test('an address that makes no sense does no harm', async ({ page }) => {
+    await page.goto('/playground?count=1e9&gravity=NaN&shape=star&words=%2C%2C&bounce=-3')
+    await expect(page.locator(`${stage} [data-chip]`)).toHaveCount(60)
+    await expect(page.getByLabel('bounce')).toHaveValue('0')
+    await expect(page.getByLabel('Shape')).toHaveValue('pills')
+  })
+
+  test('another seed makes another pile; the same seed the same', async ({ page }) => {
+    const pile = async (seed: number) => {
+      await page.goto(`/playground?count=8&seed=${seed}`)
+      await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', resting)
+      return page
+        .locator(`${stage} [data-chip]`)
+        .evaluateAll((chips) => chips.map((chip) => (chip as HTMLElement).style.transform))
+    }
+    const first = await pile(1)
+    expect(await pile(2)).not.toEqual(first)
+    expect(await pile(1)).toEqual(first)
+  })
+
+  test('paused, a press on Step moves the chips by one frame', async ({ page }) => {
+    await page.goto('/playground?stagger=0')
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', resting)
+    await page.getByRole('button', { name: 'Pause' }).click()
+    await page.getByRole('button', { name: 'Drop' }).click()
+    const chip = page.locator(`${stage} [data-chip]`).first()
+    const before = await chip.evaluate((element) => element.style.transform)
+    for (let press = 0; press < 12; press++) await page.getByRole('button', { name: 'Step' }).click()
+    expect(await chip.evaluate((element) => element.style.transform)).not.toBe(before)
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'paused')
+  })
+
+  test('a chip is dragged and tossed', async ({ page }) => {
+    await page.goto('/playground?count=1')
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', resting)
+    const chip = page.locator(`${stage} [data-chip]`)
+    const from = (await chip.boundingBox())!
+    await page.mouse.move(from.x + 20, from.y + 10)
+    await page.mouse.down()
+    await page.mouse.move(from.x + 40, from.y - 120, { steps: 8 })
+    await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
+    await page.mouse.up()
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', resting)
+  })
+})
+
+test.describe('how it works', () => {
+  test('each figure can be scrubbed with the keyboard', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.goto('/docs/how-it-works')
+    const times = page.getByLabel('Time', { exact: true })
+    await expect(times).toHaveCount(6)
+    for (const time of await times.all()) {
+      await time.scrollIntoViewIfNeeded()
+      await time.focus()
+      await page.keyboard.press('End')
+      await page.keyboard.press('ArrowLeft')
+      await expect(time).not.toHaveValue('0')
+    }
+  })
+
+  test('the figures run the solver: an impact meets its formula, a flight its curve', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.goto('/docs/how-it-works')
+    const [flight, impact] = await page.locator('[data-slot=figure]').all()
+    await flight.getByLabel('Time', { exact: true }).press('End')
+    await expect(flight).toContainText(/this solver (0|\d)e[+-](0|1\d) px/)
+    await impact.getByLabel('Time', { exact: true }).press('End')
+    await expect(impact).toContainText(/Speed ([\d.]+) px\/sby formula \1/)
+    await expect(impact).toContainText(/Spin ([\d.]+) rad\/sby formula \1/)
+  })
+
+  test('a figure plays when it is seen, unless the reader prefers reduced motion', async ({ page }) => {
+    await page.goto('/docs/how-it-works')
+    const time = page.getByLabel('Time', { exact: true }).first()
+    await page.locator('[data-slot=figure] canvas').first().scrollIntoViewIfNeeded()
+    await expect(time).not.toHaveValue('0')
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.reload()
+    await page.locator('[data-slot=figure] canvas').first().scrollIntoViewIfNeeded()
+    await expect(page.locator('[data-slot=figure]').first()).toContainText('px')
+    await expect(time).toHaveValue('0')
+  })
 })
