@@ -25,6 +25,6 @@ test('the lockfile names the packages of every platform, or npm ci refuses it', 
 })
 
 test('the lockfile names no machine’s own package registry', () => {
-  const addresses = Object.values(packages).filter(({ resolved, link }) => resolved && !link)
-  expect(addresses.filter(({ resolved }) => !resolved?.startsWith('https://registry.npmjs.org/'))).toEqual([])
+  const named = Object.entries(packages).filter(([, { resolved, link }]) => resolved && !link)
+  expect(named.map(([path]) => path)).toEqual([])
 })
