@@ -1,6 +1,6 @@
 import { exampleSource } from '@/lib/source'
 import { Code } from './code-block'
-import { Demo } from './demos'
+import { Demo } from './demo'
 import { PreviewTabs } from './preview-tabs'
 
 /** An example of the registry, live, with its source behind a tab. */

@@ -7,6 +7,7 @@ import { Mark } from './wordmark'
 const links = [
   { title: 'Docs', href: '/docs/gravity-stack' },
   { title: 'Playground', href: '/playground' },
+  { title: 'Benchmarks', href: '/benchmarks' },
   { title: 'How it works', href: '/docs/how-it-works' },
 ]
 
