@@ -35,27 +35,42 @@ const MAX_SPEED = 3600
 /** s, the fixed step. Frames of any length are cut into these, so that the pile never depends on the display. */
 const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
-const SUBSTEPS = env('SUB', 8)
+const SUBSTEPS = 8
+/** Most velocity sweeps of a sub-step. */
+const SWEEPS = 8
+/**
+ * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
+ * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
+ */
+const TOLERANCE_SHARE = 0.01
+const TOLERANCE_LEAST = 0.02
+const TOLERANCE_MOST = 2
+/** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
+const BALANCE = 0.05
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
-const SLOP = 0.005
+const SLOP = 0.004
 /** Share of the remaining overlap that one position sweep takes out. */
-const PUSH = env('PU', 0.5)
+const PUSH = 0.5
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 const MAX_PUSH = 4
+/** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
+const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 const MARGIN = 0.5
 /** px of motion after which a touching pair is measured again. */
-const REFRESH = env('RF', 0.1)
+const REFRESH = 0.3
 /** px by which a broad-phase box is larger than its chip. */
 const SKIN = 8
 
-/** px/s, change of velocity below which the sweeps over simultaneous impacts stop. */
+/** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
+const IMPACT_SHARE = 0.05
 /** Most sweeps over one cluster of impacts. */
 const IMPACT_SWEEPS = 24
-/** px/s of approach from which an impact is passed on to a touching neighbour. */
+/** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 const IMPACT_SPREAD = 5
+const IMPACT_SPREAD_SHARE = 0.02
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
 const IMPACT_TOUCH = 0.05
 
@@ -69,18 +84,6 @@ const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 100
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
-
-function env(name: string, value: number): number {
-  return Number((globalThis as any).process?.env?.[name] ?? value)
-}
-const GB = env('GB', 0.1)
-const LEAK = env('LEAK', 0)
-const BLEND = env('BLEND', 0.5)
-const CAP = env('CAP', 8)
-const SWEEPS = env('SW', 2)
-const TOLERANCE = env('TOL', 2)
-const IMPACT_REL = env('IR', 0)
-const SPREAD_REL = env('SR', 0)
 
 // drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
 
@@ -404,6 +407,12 @@ const MAX_DAMPING = 0.5 / STEP
  */
 const touch = {
   count: 0,
+  /** px, the widest gap that still makes a contact point; to be set before a call. */
+  margin: 0,
+  /** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
+  ahead: 0,
+  /** px, distance of the shapes; a lower bound of it when it is more than the margin. */
+  gap: 0,
   nx: 0,
   ny: 0,
   /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
@@ -420,204 +429,221 @@ const POINT = 6
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
 
-/** Adds a point whose core points are (px, py) from A's centre and (qx, qy) from B's, with the radii of both. */
-function addPoint(
-  px: number,
-  py: number,
-  qx: number,
-  qy: number,
-  ra: number,
-  rb: number,
-  gap: number,
-  feature: number,
-): void {
-  const k = touch.count++ * POINT
+/**
+ * Adds a point: (px, py) on the core of A from A's centre, (qx, qy) on the core of B from B's centre.
+ * The radii follow in `finish`.
+ */
+function addPoint(px: number, py: number, qx: number, qy: number, gap: number, feature: number): void {
+  const k = touch.count * POINT
   const p = touch.points
-  p[k + AX] = px + ra * touch.nx
-  p[k + AY] = py + ra * touch.ny
-  p[k + BX] = qx - rb * touch.nx
-  p[k + BY] = qy - rb * touch.ny
+  p[k + AX] = px
+  p[k + AY] = py
+  p[k + BX] = qx
+  p[k + BY] = qy
   p[k + GAP] = gap
   p[k + FEATURE] = feature
+  touch.count++
+}
+
+/** Moves the points from the cores to the surfaces. */
+function finish(ra: number, rb: number): void {
+  const p = touch.points
+  for (let k = 0; k < touch.count * POINT; k += POINT) {
+    p[k + AX] += ra * touch.nx
+    p[k + AY] += ra * touch.ny
+    p[k + BX] -= rb * touch.nx
+    p[k + BY] -= rb * touch.ny
+  }
 }
 
 /**
- * Distance of the shapes of bodies `a` and `b`, px, negative when they overlap; contact points up to `margin` apart.
- * Exact for rounded boxes of any size. Beyond `margin` the answer is a lower bound and there are no points.
+ * Distance of the shapes of bodies `a` and `b` in `touch.gap`, and their contact points where these are at most
+ * `touch.margin` apart. Exact for rounded boxes of any size.
  */
-function collide(bodies: Bodies, a: number, b: number, margin: number): number {
-  const { state, motion, shape } = bodies
-  turn(state, motion, a)
-  turn(state, motion, b)
-  touch.count = 0
+function collide(bodies: Bodies, a: number, b: number): void {
+  const shape = bodies.shape
   const sa = a * SHAPE
   const sb = b * SHAPE
-  const px = state[b * STATE + X] - state[a * STATE + X]
-  const py = state[b * STATE + Y] - state[a * STATE + Y]
-  const ca = motion[a * MOTION + COS]
-  const na = motion[a * MOTION + SIN]
-  const cb = motion[b * MOTION + COS]
-  const nb = motion[b * MOTION + SIN]
-  const hxa = shape[sa + HX]
-  const hya = shape[sa + HY]
-  const hxb = shape[sb + HX]
-  const hyb = shape[sb + HY]
-  const ra = shape[sa + RADIUS]
-  const rb = shape[sb + RADIUS]
-  if ((hxa === 0 || hya === 0) && (hxb === 0 || hyb === 0)) {
-    // Half vectors of the two core segments; one along y belongs to a chip taller than wide.
-    const ux = hya === 0 ? ca * hxa : -na * hya
-    const uy = hya === 0 ? na * hxa : ca * hya
-    const vx = hyb === 0 ? cb * hxb : -nb * hyb
-    const vy = hyb === 0 ? nb * hxb : cb * hyb
-    return collideSegments(px, py, ux, uy, vx, vy, ra, rb, margin)
-  }
-  return collideBoxes(px, py, ca, na, hxa, hya, cb, nb, hxb, hyb, ra, rb, margin)
+  touch.count = 0
+  turn(bodies.state, bodies.motion, a)
+  turn(bodies.state, bodies.motion, b)
+  if ((shape[sa + HX] === 0 || shape[sa + HY] === 0) && (shape[sb + HX] === 0 || shape[sb + HY] === 0)) {
+    collideSegments(bodies, a, b)
+  } else collideBoxes(bodies, a, b)
 }
 
-/** Parameters of the closest points of the segments ±u and p ± v. After Ericson, Real-Time Collision Detection, 5.1.9. */
-const nearest = { s: 0, t: 0 }
-function closest(px: number, py: number, ux: number, uy: number, vx: number, vy: number): void {
+/**
+ * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
+ * In and out through one array: numbers handed over as arguments would be boxed.
+ */
+const line = new Float64Array(8)
+const PX = 0
+const PY = 1
+const UX = 2
+const UY = 3
+const EDGE_X = 4
+const EDGE_Y = 5
+const S = 6
+const T = 7
+function closest(): void {
+  const ux = line[UX]
+  const uy = line[UY]
+  const vx = line[EDGE_X]
+  const vy = line[EDGE_Y]
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
   const uv = ux * vx + uy * vy
-  const up = ux * px + uy * py
-  const vp = vx * px + vy * py
+  const up = ux * line[PX] + uy * line[PY]
+  const vp = vx * line[PX] + vy * line[PY]
   const det = uu * vv - uv * uv
   let s = 0
   let t = 0
   if (uu > 0) {
     s = det > TINY * uu * vv ? (up * vv - uv * vp) / det : up / uu
-    s = s > 1 ? 1 : s < -1 ? -1 : s
+    s = s > 1 ? 1 : Math.max(s, -1)
   }
   if (vv > 0) {
     t = (uv * s - vp) / vv
-    t = t > 1 ? 1 : t < -1 ? -1 : t
+    t = t > 1 ? 1 : Math.max(t, -1)
   }
   if (uu > 0) {
     s = (up + uv * t) / uu
-    s = s > 1 ? 1 : s < -1 ? -1 : s
+    s = s > 1 ? 1 : Math.max(s, -1)
   }
-  nearest.s = s
-  nearest.t = t
+  line[S] = s
+  line[T] = t
 }
 
 /** Two pills (or discs): closest points, and a second point where they lie side by side. */
-function collideSegments(
-  px: number,
-  py: number,
-  ux: number,
-  uy: number,
-  vx: number,
-  vy: number,
-  ra: number,
-  rb: number,
-  margin: number,
-): number {
-  closest(px, py, ux, uy, vx, vy)
-  const s = nearest.s
-  const t = nearest.t
-  let dx = px + t * vx - s * ux
-  let dy = py + t * vy - s * uy
-  const far = ra + rb + margin
-  const square = dx * dx + dy * dy
-  if (square > far * far) return Math.sqrt(square) - ra - rb
+function collideSegments(bodies: Bodies, a: number, b: number): void {
+  const { state, motion, shape } = bodies
+  const hxa = shape[a * SHAPE + HX]
+  const hya = shape[a * SHAPE + HY]
+  const hxb = shape[b * SHAPE + HX]
+  const hyb = shape[b * SHAPE + HY]
+  const radii = shape[a * SHAPE + RADIUS] + shape[b * SHAPE + RADIUS]
+  const ca = motion[a * MOTION + COS]
+  const na = motion[a * MOTION + SIN]
+  const cb = motion[b * MOTION + COS]
+  const nb = motion[b * MOTION + SIN]
+  const px = state[b * STATE + X] - state[a * STATE + X]
+  const py = state[b * STATE + Y] - state[a * STATE + Y]
+  // Half vectors of the two core segments; one along y belongs to a chip taller than wide.
+  const ux = hya === 0 ? ca * hxa : -na * hya
+  const uy = hya === 0 ? na * hxa : ca * hya
+  const vx = hyb === 0 ? cb * hxb : -nb * hyb
+  const vy = hyb === 0 ? nb * hxb : cb * hyb
+  line[PX] = px
+  line[PY] = py
+  line[UX] = ux
+  line[UY] = uy
+  line[EDGE_X] = vx
+  line[EDGE_Y] = vy
+  closest()
+  const s = line[S]
+  const t = line[T]
+  let nx = px + t * vx - s * ux
+  let ny = py + t * vy - s * uy
+  const square = nx * nx + ny * ny
   const distance = Math.sqrt(square)
+  const gap = distance - radii
+  touch.gap = gap
+  if (gap > touch.margin) return
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
-  // The cores cross or touch: leave along the shorter way across one of them.
+  // The normal stands on the segment whose inside is nearest: the reference; the other one is cut to its length.
+  let onA = uu > 0 && s > -1 && s < 1
+  let onB = !onA && vv > 0 && t > -1 && t < 1
   const crossed = square < TINY
-  let acrossA = s > -1 && s < 1 && uu > 0
   if (crossed) {
-    acrossA = uu > 0 && (vv === 0 || uu >= vv)
-    const lx = acrossA ? ux : vx
-    const ly = acrossA ? uy : vy
+    // Cores that cross part along the shorter way across one of them.
+    onA = uu > 0 && uu >= vv
+    onB = !onA && vv > 0
+    const lx = onA ? ux : vx
+    const ly = onA ? uy : vy
     const length = Math.sqrt(lx * lx + ly * ly)
-    dx = length > 0 ? -ly / length : 0
-    dy = length > 0 ? lx / length : -1
-    if (dx * px + dy * py < 0) {
-      dx = -dx
-      dy = -dy
+    nx = length > 0 ? -ly / length : 0
+    ny = length > 0 ? lx / length : -1
+    if (nx * px + ny * py < 0) {
+      nx = -nx
+      ny = -ny
     }
-    touch.nx = dx
-    touch.ny = dy
   } else {
-    touch.nx = dx / distance
-    touch.ny = dy / distance
+    nx /= distance
+    ny /= distance
   }
-  const nx = touch.nx
-  const ny = touch.ny
-  const gap = distance - ra - rb
-  const acrossB = !acrossA && t > -1 && t < 1 && vv > 0
-  if (uu > 0 && vv > 0 && (acrossA || acrossB)) {
-    // The normal stands on one segment, the reference; the other one is cut to its length.
-    const rx = acrossA ? ux : vx
-    const ry = acrossA ? uy : vy
-    const rr = acrossA ? uu : vv
-    const ix = acrossA ? vx : ux
-    const iy = acrossA ? vy : uy
-    const ox = acrossA ? px : -px
-    const oy = acrossA ? py : -py
+  touch.nx = nx
+  touch.ny = ny
+  if (uu > 0 && vv > 0 && (onA || onB)) {
+    const rx = onA ? ux : vx
+    const ry = onA ? uy : vy
+    const rr = onA ? uu : vv
+    const ix = onA ? vx : ux
+    const iy = onA ? vy : uy
+    const ox = onA ? px : -px
+    const oy = onA ? py : -py
+    // Along the reference, the other segment reaches from mid − half to mid + half.
     const mid = (rx * ox + ry * oy) / rr
     const half = (rx * ix + ry * iy) / rr
+    const size = half > 0 ? half : -half
+    const way = half > 0 ? 1 : -1
+    const own = onA ? 0 : 4
+    const other = 4 - own
     let lo = -1
     let hi = 1
-    let loFeature = acrossA ? 4 : 0
-    let hiFeature = loFeature + 1
-    if (half > TINY || half < -TINY) {
-      const endLo = half > 0 ? (-1 - mid) / half : (1 - mid) / half
-      const endHi = half > 0 ? (1 - mid) / half : (-1 - mid) / half
-      const own = acrossA ? 0 : 4
-      if (endLo > lo) {
-        lo = endLo
-        loFeature = own + (half > 0 ? 0 : 1)
-      }
-      if (endHi < hi) {
-        hi = endHi
-        hiFeature = own + (half > 0 ? 1 : 0)
-      }
+    let loFeature = other + (half > 0 ? 0 : 1)
+    let hiFeature = other + (half > 0 ? 1 : 0)
+    if (mid - size < -1 && size > TINY) {
+      lo = (-1 - mid) / size
+      loFeature = own
+    }
+    if (mid + size > 1 && size > TINY) {
+      hi = (1 - mid) / size
+      hiFeature = own + 1
     }
     if (hi - lo > 1e-6) {
-      const sign = acrossA ? 1 : -1
+      const sign = onA ? 1 : -1
+      let least = Infinity
       for (let k = 0; k < 2; k++) {
         const at = k === 0 ? lo : hi
-        const along = mid + at * half
-        const apart = sign * ((ox + at * ix) * nx + (oy + at * iy) * ny) - ra - rb
-        if (apart > margin) continue
+        const qx = ox + way * at * ix
+        const qy = oy + way * at * iy
+        const apart = sign * (qx * nx + qy * ny) - radii
+        if (apart < least) least = apart
+        if (apart > touch.margin) continue
+        const along = mid + at * size
         const feature = k === 0 ? loFeature : hiFeature
-        if (acrossA) addPoint(along * rx, along * ry, at * ix, at * iy, ra, rb, apart, feature)
-        else addPoint(at * ix, at * iy, along * rx, along * ry, ra, rb, apart, feature)
+        if (onA) addPoint(along * rx, along * ry, qx - ox, qy - oy, apart, feature)
+        else addPoint(qx - ox, qy - oy, along * rx, along * ry, apart, feature)
       }
-      if (touch.count > 0)
-        return crossed ? Math.min(touch.points[GAP], touch.points[(touch.count - 1) * POINT + GAP]) : gap
+      if (crossed) touch.gap = least
     }
   }
-  addPoint(s * ux, s * uy, t * vx, t * vy, ra, rb, gap, acrossA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
-  return gap
+  if (touch.count === 0) addPoint(s * ux, s * uy, t * vx, t * vy, gap, onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
+  finish(shape[a * SHAPE + RADIUS], shape[b * SHAPE + RADIUS])
 }
 
 /** Two rounded boxes, or one and a pill or disc: separating axes of the cores, then the features that face each other. */
-function collideBoxes(
-  px: number,
-  py: number,
-  ca: number,
-  na: number,
-  hxa: number,
-  hya: number,
-  cb: number,
-  nb: number,
-  hxb: number,
-  hyb: number,
-  ra: number,
-  rb: number,
-  margin: number,
-): number {
+function collideBoxes(bodies: Bodies, a: number, b: number): void {
+  const { state, motion, shape } = bodies
+  const hxa = shape[a * SHAPE + HX]
+  const hya = shape[a * SHAPE + HY]
+  const hxb = shape[b * SHAPE + HX]
+  const hyb = shape[b * SHAPE + HY]
+  const ra = shape[a * SHAPE + RADIUS]
+  const rb = shape[b * SHAPE + RADIUS]
+  const radii = ra + rb
+  const ca = motion[a * MOTION + COS]
+  const na = motion[a * MOTION + SIN]
+  const cb = motion[b * MOTION + COS]
+  const nb = motion[b * MOTION + SIN]
+  const px = state[b * STATE + X] - state[a * STATE + X]
+  const py = state[b * STATE + Y] - state[a * STATE + Y]
   // Rotation of B seen from A.
   const c = ca * cb + na * nb
   const n = ca * nb - na * cb
   const absC = c < 0 ? -c : c
   const absN = n < 0 ? -n : n
-  const far = ra + rb + margin
   // Offset of B's centre along the axes of A, and along the axes of B.
   const pax = px * ca + py * na
   const pay = py * ca - px * na
@@ -650,7 +676,8 @@ function collideBoxes(
       axis = 3
     }
   }
-  if (best > far) return best - ra - rb
+  touch.gap = best - radii
+  if (touch.gap > touch.margin) return
 
   // Reference R with the face, incident I with the side that faces it most; everything from R's centre.
   const onA = axis < 2
@@ -710,9 +737,15 @@ function collideBoxes(
 
   // Where the cores are apart the closest features may be two corners.
   if (best > 0) {
-    closest(mx - fx * depth, my - fy * depth, gx * half, gy * half, ex, ey)
-    const s = nearest.s
-    const t = nearest.t
+    line[PX] = mx - fx * depth
+    line[PY] = my - fy * depth
+    line[UX] = gx * half
+    line[UY] = gy * half
+    line[EDGE_X] = ex
+    line[EDGE_Y] = ey
+    closest()
+    const s = line[S]
+    const t = line[T]
     if ((s === 1 || s === -1) && (t === 1 || t === -1 || (ex === 0 && ey === 0))) {
       const rx = fx * depth + gx * half * s
       const ry = fy * depth + gy * half * s
@@ -721,16 +754,18 @@ function collideBoxes(
       const distance = Math.sqrt(dx * dx + dy * dy)
       // Two corners only if the line between them leaves the face: else the face's own normal is the same.
       if (distance > best + 1e-9) {
-        const gap = distance - ra - rb
-        if (gap > margin) return gap
+        const gap = distance - radii
+        touch.gap = gap
+        if (gap > touch.margin) return
         touch.nx = (sign * dx) / distance
         touch.ny = (sign * dy) / distance
         const qx = mx + ex * t - ox
         const qy = my + ey * t - oy
         const feature = own + (s > 0 ? 1 : 0)
-        if (onA) addPoint(rx, ry, qx, qy, ra, rb, gap, feature)
-        else addPoint(qx, qy, rx, ry, ra, rb, gap, feature)
-        return gap
+        if (onA) addPoint(rx, ry, qx, qy, gap, feature)
+        else addPoint(qx, qy, rx, ry, gap, feature)
+        finish(ra, rb)
+        return
       }
     }
   }
@@ -768,32 +803,36 @@ function collideBoxes(
     const qx = mx + at * ex
     const qy = my + at * ey
     const apart = fx * qx + fy * qy - depth
-    const gap = apart - ra - rb
+    const gap = apart - radii
     if (gap < least) least = gap
-    if (gap > margin) continue
+    if (gap > touch.margin) continue
     const feature = k === 0 ? loFeature : hiFeature
     const rx = qx - fx * apart
     const ry = qy - fy * apart
-    if (onA) addPoint(rx, ry, qx - ox, qy - oy, ra, rb, gap, feature)
-    else addPoint(qx - ox, qy - oy, rx, ry, ra, rb, gap, feature)
+    if (onA) addPoint(rx, ry, qx - ox, qy - oy, gap, feature)
+    else addPoint(qx - ox, qy - oy, rx, ry, gap, feature)
   }
-  return least
+  touch.gap = least
+  finish(ra, rb)
+}
+
+/** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
+interface Walls {
+  /** px, size of the stage. */
+  width: number
+  height: number
 }
 
 /**
- * Distance of body `b` from a wall of the stage, px: all points x with n·x ≥ offset are inside. The wall is shape A,
- * its normal points inwards, and its arms count from the origin (it never turns).
+ * Distance of body `b` from wall 1 (floor), 2 (left) or 3 (right), in `touch` like `collide`. The wall is shape A: its
+ * normal points inwards, and as it never turns, its arms are left out.
  */
-function collideWall(
-  bodies: Bodies,
-  b: number,
-  nx: number,
-  ny: number,
-  offset: number,
-  margin: number,
-): number {
+function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): void {
   const { state, motion, shape } = bodies
   turn(state, motion, b)
+  const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
+  const ny = wall === 1 ? -1 : 0
+  const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
   touch.count = 0
   touch.nx = nx
   touch.ny = ny
@@ -802,38 +841,26 @@ function collideWall(
   const hx = shape[b * SHAPE + HX]
   const hy = shape[b * SHAPE + HY]
   const r = shape[b * SHAPE + RADIUS]
-  // How much each half extent leans into the wall.
+  // How much each half extent leans into the wall; the lowest corner leans with both.
   const lx = nx * c + ny * s
   const ly = ny * c - nx * s
-  const sx = lx > 0 ? -1 : 1
-  const sy = ly > 0 ? -1 : 1
-  const alongX = sx * lx * hx
-  const alongY = sy * ly * hy
-  const base = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r
-  const gap = base + alongX + alongY
-  if (gap > margin) return gap
-  // The lowest corner, then the other end of the lower side.
-  wallPoint(c, s, sx * hx, sy * hy, r, gap, (sx > 0 ? 1 : 0) + (sy > 0 ? 2 : 0))
-  const flipX = hy === 0 || (hx > 0 && -alongX < -alongY)
-  const rise = flipX ? -2 * alongX : -2 * alongY
-  if ((flipX ? hx : hy) > 0 && gap + rise <= margin) {
-    const kx = flipX ? -sx : sx
-    const ky = flipX ? sy : -sy
-    wallPoint(c, s, kx * hx, ky * hy, r, gap + rise, (kx > 0 ? 1 : 0) + (ky > 0 ? 2 : 0))
+  const deepX = lx > 0 ? -lx * hx : lx * hx
+  const deepY = ly > 0 ? -ly * hy : ly * hy
+  const gap = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r + deepX + deepY
+  touch.gap = gap
+  if (gap > touch.margin) return
+  let x = lx > 0 ? -hx : hx
+  let y = ly > 0 ? -hy : hy
+  addPoint(0, 0, c * x - s * y, s * x + c * y, gap, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+  // The other end of the lower side.
+  const flipX = hx > 0 && (hy === 0 || deepX > deepY)
+  const rise = gap - 2 * (flipX ? deepX : deepY)
+  if ((flipX ? hx : hy) > 0 && rise <= touch.margin) {
+    if (flipX) x = -x
+    else y = -y
+    addPoint(0, 0, c * x - s * y, s * x + c * y, rise, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
   }
-  return gap
-}
-
-function wallPoint(
-  c: number,
-  s: number,
-  x: number,
-  y: number,
-  r: number,
-  gap: number,
-  feature: number,
-): void {
-  addPoint(0, 0, c * x - s * y, s * x + c * y, 0, r, gap, feature)
+  finish(0, r)
 }
 
 // contacts: contacts kept from step to step ─────────────────────────────────────────────────────────────────
@@ -872,20 +899,21 @@ const INV_DET = 17
 const MASS_T = 18
 /** Lower bound of the gap plus the ways of both bodies when it was measured, px. */
 const REACH = 19
-/** Impact: wanted velocities of both points, impulses, and the time since the start of the sub-step, s. */
+/** Impact: wanted velocities of both points, impulses, and the last change of a normal velocity, px/s. */
 const GOAL1 = 20
 const GOAL2 = 21
 const HIT1 = 22
 const HIT2 = 23
 const HIT_T = 24
-const WHEN = 25
+const CHANGE = 25
 /** Sub-steps a step when the impulses were stored. */
 const RATE = 26
 /** px/s, by how much the velocity at the end of the sub-step may exceed the one that closes the gap: half of what it gains on the way. */
 const SLACK = 27
-/** Loads as they were on average lately. */
-const MEAN1 = 28
-const MEAN2 = 29
+/** Wanted tangential velocity at the start of the sub-step, px/s: what gravity adds until the impact is taken off. */
+const GOAL_T = 28
+/** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
+const LAG = 29
 const CONTACT = 32
 
 interface Contacts {
@@ -1007,45 +1035,44 @@ function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): voi
   motion[mb + PUSH_X] += imb * x
   motion[mb + PUSH_Y] += imb * y
   motion[mb + PUSH_SPIN] +=
-    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt)
-}
-
-/** Inner side of each wall as n·x ≥ offset: floor, left, right. */
-interface Walls {
-  width: number
-  height: number
+    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt) + sign * d[k + LAG]
 }
 
 /**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
- * them; those of a point that is gone go to the one that is left.
+ * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
  */
-function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, margin: number): number {
+function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
   const a = contacts.pair[2 * c]
   const b = contacts.pair[2 * c + 1]
-  const wall = contacts.wall[c]
-  const gap =
-    wall === 0
-      ? collide(bodies, a, b, margin)
-      : wall === 1
-        ? collideWall(bodies, b, 0, -1, -walls.height, margin)
-        : wall === 2
-          ? collideWall(bodies, b, 1, 0, 0, margin)
-          : collideWall(bodies, b, -1, 0, -walls.width, margin)
+  const { state, motion } = bodies
+  const angleA = state[a * STATE + ANGLE]
+  const angleB = state[b * STATE + ANGLE]
+  // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
+  const turned = a > 0 ? 0 : touch.ahead * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
+  if (a > 0) collide(bodies, a, b)
+  else {
+    state[b * STATE + ANGLE] = angleB + turned
+    collideWall(bodies, walls, b, contacts.wall[c])
+    state[b * STATE + ANGLE] = angleB
+  }
   const d = contacts.data
   const k = c * CONTACT
-  const { state, motion } = bodies
   const had = d[k + POINTS]
   const loaded = had > 0 && d[k + LOAD1] + d[k + LOAD2] > 0
-  if (loaded) carry(bodies, contacts, c, -1)
+  const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
+  if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
+  d[k + LAG] = 0
   const way = motion[a * MOTION + WAY] + motion[b * MOTION + WAY]
-  d[k + REACH] = way + (touch.count > 0 ? REFRESH : gap)
+  d[k + REACH] = way + (touch.count > 0 ? REFRESH : touch.gap)
   d[k + POINTS] = touch.count
   if (touch.count === 0) {
     d[k + LOAD1] = 0
     d[k + LOAD2] = 0
     d[k + DRAG] = 0
-    return gap
+    d[k + NA2] = 0
+    d[k + NB2] = 0
+    return
   }
 
   // Impulses by feature.
@@ -1094,13 +1121,11 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, ma
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
   const across = nx * dx + ny * dy
-  const angleA = state[a * STATE + ANGLE]
-  const angleB = state[b * STATE + ANGLE]
   d[k + NX] = nx
   d[k + NY] = ny
   d[k + NA1] = na1
   d[k + NB1] = nb1
-  d[k + BASE1] = points[GAP] - across - nb1 * angleB + na1 * angleA
+  d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K11] = k11
   if (touch.count > 1) {
@@ -1113,7 +1138,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, ma
     const det = k11 * k22 - k12 * k12
     d[k + NA2] = na2
     d[k + NB2] = nb2
-    d[k + BASE2] = points[POINT + GAP] - across - nb2 * angleB + na2 * angleA
+    d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
     d[k + K22] = k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
@@ -1121,8 +1146,14 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, ma
   d[k + TA] = ta
   d[k + TB] = tb
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
-  if (loaded) carry(bodies, contacts, c, 1)
-  return gap
+  if (loaded) {
+    // Over the sub-step the push acts with the arms half way between the old ones and these.
+    if (a === 0 && had === touch.count && f1 === old1) {
+      const now = nb1 * d[k + LOAD1] + (touch.count > 1 ? d[k + NB2] * d[k + LOAD2] : 0) + tb * d[k + DRAG]
+      d[k + LAG] = 0.5 * iib * (torque - now)
+    }
+    carry(bodies, contacts, c, 1)
+  }
 }
 
 /** px, gap of point 1 (or of point 2 with `second`) at the present poses. */
@@ -1338,6 +1369,8 @@ interface Impacts {
   mark: Int32Array
   phase: number
   sweeps: number
+  /** px/s, the hardest hit of the cluster. */
+  fastest: number
 }
 
 function createImpacts(): Impacts {
@@ -1351,6 +1384,7 @@ function createImpacts(): Impacts {
     mark: new Int32Array(0),
     phase: 0,
     sweeps: 0,
+    fastest: 0,
   }
 }
 
@@ -1405,7 +1439,7 @@ function pull(scene: ImpactScene, k: number, a: number, b: number, second: boole
 }
 
 /** The impact that `predict` found. */
-const ahead = { time: 0, goal: 0 }
+const ahead = { time: 0, goal: 0, speed: 0 }
 
 /**
  * Whether a point of contact `c` will hit within `h` hard enough to bounce; when, and with what velocity at the start
@@ -1429,6 +1463,7 @@ function predict(scene: ImpactScene, c: number, second: boolean, h: number): boo
   // A bounce so low that it would land again within the sub-step is left to rest.
   const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
   ahead.time = time
+  ahead.speed = -hit
   ahead.goal = -e * hit - (hit - v)
   return true
 }
@@ -1441,8 +1476,9 @@ function enlist(
   goal1: number,
   goal2: number,
   when: number,
+  h: number,
 ): void {
-  const { contacts } = scene
+  const { bodies, contacts } = scene
   if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
   impacts.list[impacts.count++] = c
   contacts.mark[c] = impacts.phase
@@ -1453,7 +1489,18 @@ function enlist(
   d[k + HIT1] = 0
   d[k + HIT2] = 0
   d[k + HIT_T] = 0
-  d[k + WHEN] = when
+  const m = bodies.motion
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const ma = a * MOTION
+  const mb = b * MOTION
+  const fall = (b > 0 ? scene.gravity * h : 0) - (a > 0 ? scene.gravity * h : 0)
+  const slip =
+    d[k + NX] * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) -
+    d[k + NY] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+    d[k + TB] * m[mb + PUSH_SPIN] -
+    d[k + TA] * m[ma + PUSH_SPIN]
+  d[k + GOAL_T] = (-slip * when) / h
   reach(impacts, scene, contacts.pair[2 * c], when)
   reach(impacts, scene, contacts.pair[2 * c + 1], when)
 }
@@ -1484,7 +1531,8 @@ function measureAt(scene: ImpactScene, c: number, time: number, h: number): void
   const ba = s[b * STATE + ANGLE]
   advance(scene, a, time, h)
   advance(scene, b, time, h)
-  measure(bodies, contacts, scene.walls, c, 1)
+  touch.margin = MARGIN
+  measure(bodies, contacts, scene.walls, c)
   s[a * STATE + X] = ax
   s[a * STATE + Y] = ay
   s[a * STATE + ANGLE] = aa
@@ -1515,62 +1563,95 @@ function bounceAll(
 ): void {
   const { contacts } = scene
   const d = contacts.data
+  const pair = contacts.pair
+  const s = scene.bodies.state
+  const m = scene.bodies.motion
+  const fall = scene.gravity * h
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
+  impacts.fastest = 0
   for (let i = from; i < to; i++) {
     const c = list[i]
     const k = c * CONTACT
-    if (d[k + POINTS] === 0) continue
+    const points = d[k + POINTS]
+    if (points === 0) continue
     if (d[k + LOAD1] + d[k + LOAD2] > 0) {
       d[k + SLACK] = 0
       continue
     }
-    d[k + SLACK] = -0.5 * pull(scene, k, contacts.pair[2 * c], contacts.pair[2 * c + 1], false, h)
-    let hit1 = predict(scene, c, false, h)
-    let hit2 = !hit1 && d[k + POINTS] > 1 && predict(scene, c, true, h)
-    if (!hit1 && !hit2) continue
-    // Measured again at the time of impact until that time stands still.
-    let time = ahead.time
-    for (let n = 0; n < 6; n++) {
-      measureAt(scene, c, time, h)
-      if (d[k + POINTS] === 0) break
-      hit1 = predict(scene, c, false, h)
-      let next = hit1 ? ahead.time : h
-      hit2 = d[k + POINTS] > 1 && predict(scene, c, true, h)
-      if (hit2) next = Math.min(next, ahead.time)
-      const step = next - time
-      time = next
-      if (step < 1e-13 && step > -1e-13) break
-    }
-    if (d[k + POINTS] === 0 || !(hit1 || hit2)) continue
-    const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
-    const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
-    if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time)
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const sa = a * STATE
+    const sb = b * STATE
+    const ma = a * MOTION
+    const mb = b * MOTION
+    const nx = d[k + NX]
+    const ny = d[k + NY]
+    // What `predict` asks first, for both points at once: nearly every contact ends here.
+    const gain =
+      nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) + ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (a > 0 ? 0 : fall))
+    d[k + SLACK] = -0.5 * (gain + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN])
+    const speed = nx * (s[sb + VX] - s[sa + VX]) + ny * (s[sb + VY] - s[sa + VY])
+    const spinA = s[sa + SPIN]
+    const spinB = s[sb + SPIN]
+    const v1 = speed + d[k + NB1] * spinB - d[k + NA1] * spinA - 2 * Math.abs(d[k + SLACK])
+    const v2 = points > 1 ? speed + d[k + NB2] * spinB - d[k + NA2] * spinA - 2 * Math.abs(d[k + SLACK]) : 0
+    if (v1 > -scene.threshold && v2 > -scene.threshold) continue
+    enterImpact(impacts, scene, c, h)
   }
-  if (impacts.count > 0) resolve(impacts, scene)
+  if (impacts.count > 0) resolve(impacts, scene, h)
+}
+
+/** Contact `c` joins the cluster if one of its points will hit. */
+function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
+  const d = scene.contacts.data
+  const k = c * CONTACT
+  if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
+  // Measured again at the time of impact until that time stands still.
+  let time = ahead.time
+  for (let n = 0; n < 6; n++) {
+    measureAt(scene, c, time, h)
+    if (d[k + POINTS] === 0) return
+    let next = predict(scene, c, false, h) ? ahead.time : h
+    if (d[k + POINTS] > 1 && predict(scene, c, true, h)) next = Math.min(next, ahead.time)
+    const step = next - time
+    time = next
+    if (step < 1e-13 && step > -1e-13) break
+  }
+  const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
+  if (goal1 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
+  if (goal2 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time, h)
 }
 
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: ImpactScene): void {
+function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
-  let asked = 0
   for (let n = 0; n < IMPACT_SWEEPS; n++) {
+    // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
+    const exact = impacts.count === 1
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, IMPACT_SHARE * impacts.fastest)
+    const passOn = Math.max(IMPACT_SPREAD, IMPACT_SPREAD_SHARE * impacts.fastest)
+    const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
-      const change = hit(state, d, contacts.pair, impacts.list[i], scene.friction)
+      const c = impacts.list[i]
+      hit(state, d, contacts.pair, c, scene.friction)
+      const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
+      if (change > passOn) {
+        spread(impacts, scene, contacts.pair[2 * c], passOn, h)
+        spread(impacts, scene, contacts.pair[2 * c + 1], passOn, h)
+      }
     }
     impacts.sweeps += impacts.count
-    // Bodies whose neighbours have not been asked since they last moved.
-    const before = impacts.count
-    for (asked = 0; asked < impacts.bodyCount; asked++) spread(impacts, scene, impacts.bodies[asked])
-    // One contact alone is brought to its exact answer.
-    if (most < (impacts.count > 1 ? IMPACT_TOLERANCE : 1e-11) && impacts.count === before) break
+    if (most < still && impacts.count === before) break
   }
-  keepEnergy(impacts, bodies)
+  keepEnergy(impacts, scene, h)
   for (let n = 0; n < impacts.bodyCount; n++) {
     const i = impacts.bodies[n]
     const s = i * STATE
@@ -1585,90 +1666,113 @@ function resolve(impacts: Impacts, scene: ImpactScene): void {
   }
 }
 
-/** One contact of the cluster: normals to their goals, friction within its cone. Returns the change of velocity, px/s. */
-function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): number {
+/** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
+function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
   const k = c * CONTACT
   const a = pair[2 * c] * STATE
   const b = pair[2 * c + 1] * STATE
   const nx = d[k + NX]
   const ny = d[k + NY]
-  let most = 0
-  for (let point = 0; point < (d[k + POINTS] > 1 ? 2 : 1); point++) {
-    const goal = d[k + GOAL1 + point]
-    if (goal === -Infinity) continue
-    const kk = point === 0 ? d[k + K11] : d[k + K22]
-    const na = point === 0 ? d[k + NA1] : d[k + NA2]
-    const nb = point === 0 ? d[k + NB1] : d[k + NB2]
-    const old = d[k + HIT1 + point]
-    const v = approach(s, d, k, a, b, point === 1)
-    let p = old + (goal - v) / kk
+  const ima = s[a + INV_MASS]
+  const imb = s[b + INV_MASS]
+  const iia = s[a + INV_INERTIA]
+  const iib = s[b + INV_INERTIA]
+  let spinA = s[a + SPIN]
+  let spinB = s[b + SPIN]
+  const vx = s[b + VX] - s[a + VX]
+  const vy = s[b + VY] - s[a + VY]
+  let speed = nx * vx + ny * vy
+  let normal = 0
+  let change = 0
+  if (d[k + GOAL1] > -Infinity) {
+    const old = d[k + HIT1]
+    let p = old + (d[k + GOAL1] - speed - d[k + NB1] * spinB + d[k + NA1] * spinA) / d[k + K11]
     if (p < 0) p = 0
-    d[k + HIT1 + point] = p
+    d[k + HIT1] = p
     p -= old
-    const change = Math.abs(p) * kk
-    if (change > most) most = change
-    s[a + VX] -= s[a + INV_MASS] * nx * p
-    s[a + VY] -= s[a + INV_MASS] * ny * p
-    s[a + SPIN] -= s[a + INV_INERTIA] * na * p
-    s[b + VX] += s[b + INV_MASS] * nx * p
-    s[b + VY] += s[b + INV_MASS] * ny * p
-    s[b + SPIN] += s[b + INV_INERTIA] * nb * p
+    normal = p
+    speed += p * (ima + imb)
+    spinA -= iia * d[k + NA1] * p
+    spinB += iib * d[k + NB1] * p
+    change = Math.abs(p) * d[k + K11]
+  }
+  if (d[k + POINTS] > 1 && d[k + GOAL2] > -Infinity) {
+    const old = d[k + HIT2]
+    let p = old + (d[k + GOAL2] - speed - d[k + NB2] * spinB + d[k + NA2] * spinA) / d[k + K22]
+    if (p < 0) p = 0
+    d[k + HIT2] = p
+    p -= old
+    normal += p
+    spinA -= iia * d[k + NA2] * p
+    spinB += iib * d[k + NB2] * p
+    change = Math.max(change, Math.abs(p) * d[k + K22])
   }
   const ta = d[k + TA]
   const tb = d[k + TB]
-  const along =
-    nx * (s[b + VY] - s[a + VY]) - ny * (s[b + VX] - s[a + VX]) + tb * s[b + SPIN] - ta * s[a + SPIN]
   const limit = friction * (d[k + HIT1] + d[k + HIT2])
   const old = d[k + HIT_T]
-  let t = old - d[k + MASS_T] * along
-  t = t > limit ? limit : t < -limit ? -limit : t
+  let t = old + d[k + MASS_T] * (d[k + GOAL_T] - nx * vy + ny * vx - tb * spinB + ta * spinA)
+  t = t > limit ? limit : Math.max(t, -limit)
   d[k + HIT_T] = t
   t -= old
-  s[a + VX] += s[a + INV_MASS] * ny * t
-  s[a + VY] -= s[a + INV_MASS] * nx * t
-  s[a + SPIN] -= s[a + INV_INERTIA] * ta * t
-  s[b + VX] -= s[b + INV_MASS] * ny * t
-  s[b + VY] += s[b + INV_MASS] * nx * t
-  s[b + SPIN] += s[b + INV_INERTIA] * tb * t
-  return most
+  d[k + CHANGE] = change
+  const x = nx * normal - ny * t
+  const y = ny * normal + nx * t
+  s[a + VX] -= ima * x
+  s[a + VY] -= ima * y
+  s[a + SPIN] = spinA - iia * ta * t
+  s[b + VX] += imb * x
+  s[b + VY] += imb * y
+  s[b + SPIN] = spinB + iib * tb * t
 }
 
-/** Takes up the contacts of body `i` that touch and now approach: they stop dead, they don't bounce. */
-function spread(impacts: Impacts, scene: ImpactScene, i: number): void {
+/** Takes up the contacts of body `i` that touch and now approach by `from` px/s: they stop dead, they don't bounce. */
+function spread(impacts: Impacts, scene: ImpactScene, i: number, from: number, h: number): void {
+  if (i === 0) return
   const { bodies, contacts } = scene
   const d = contacts.data
+  const s = bodies.state
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const c = edge >> 1
     const k = c * CONTACT
     const points = d[k + POINTS]
     if (points === 0 || contacts.mark[c] === impacts.phase) continue
-    const a = contacts.pair[2 * c] * STATE
-    const b = contacts.pair[2 * c + 1] * STATE
+    const bodyA = contacts.pair[2 * c]
+    const bodyB = contacts.pair[2 * c + 1]
+    const a = bodyA * STATE
+    const b = bodyB * STATE
+    const nx = d[k + NX]
+    const ny = d[k + NY]
+    const speed = nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY])
+    const fast1 = speed + d[k + NB1] * s[b + SPIN] - d[k + NA1] * s[a + SPIN] < -from
+    const fast2 = points > 1 && speed + d[k + NB2] * s[b + SPIN] - d[k + NA2] * s[a + SPIN] < -from
+    if (!fast1 && !fast2) continue
     const near1 = gapOf(bodies, contacts, c, false) < IMPACT_TOUCH
     const near2 = points > 1 && gapOf(bodies, contacts, c, true) < IMPACT_TOUCH
-    const fast1 = near1 && approach(bodies.state, d, k, a, b, false) < -IMPACT_SPREAD
-    const fast2 = near2 && approach(bodies.state, d, k, a, b, true) < -IMPACT_SPREAD
-    if (fast1 || fast2) {
-      if (bodies.asleep[contacts.pair[2 * c]] === 1 || bodies.asleep[contacts.pair[2 * c + 1]] === 1) continue
-      enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i])
-    }
+    if (!(fast1 && near1) && !(fast2 && near2)) continue
+    if (bodies.asleep[bodyA] === 1 || bodies.asleep[bodyB] === 1) continue
+    enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i], h)
   }
 }
 
 /** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
-function keepEnergy(impacts: Impacts, bodies: Bodies): void {
-  const { state } = bodies
+function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
+  const { state, motion } = scene.bodies
   let linear = 0
   let square = 0
   for (let n = 0; n < impacts.bodyCount; n++) {
-    const s = impacts.bodies[n] * STATE
+    const i = impacts.bodies[n]
+    const s = i * STATE
+    const part = impacts.when[i] / h
     const m = 1 / state[s + INV_MASS]
     const inertia = 1 / state[s + INV_INERTIA]
     for (let axis = 0; axis < 3; axis++) {
       const weight = axis < 2 ? m : inertia
       const before = impacts.before[n * 3 + axis]
       const change = state[s + VX + axis] - before
-      linear += weight * before * change
+      // Velocities change on the way to the impact: energy counts at its time.
+      const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
+      linear += weight * (before + gained) * change
       square += weight * change * change
     }
   }
@@ -1746,8 +1850,8 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   const b = find(parent, j)
   if (a === b) return
   // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
-  const root = a < b ? a : b
-  const leaf = a < b ? b : a
+  const root = Math.min(a, b)
+  const leaf = Math.max(a, b)
   parent[leaf] = root
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
@@ -1766,7 +1870,9 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
 function mayTouch(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): boolean {
   if (contacts.data[c * CONTACT + POINTS] > 0) return true
   if (gapBound(bodies, contacts, c) > reach + MARGIN) return false
-  return measure(bodies, contacts, walls, c, MARGIN) <= reach + MARGIN
+  touch.margin = MARGIN
+  measure(bodies, contacts, walls, c)
+  return touch.gap <= reach + MARGIN
 }
 
 /**
@@ -1858,7 +1964,7 @@ function gather(
     let mine = reach[i]
     if (again) {
       const root = reach[find(parent, i)]
-      if (root <= mine) continue
+      if (root <= mine + 1) continue
       mine = root
     }
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2012,17 +2118,17 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const ey = hx * n + hy * c + r
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
-  const left = state[s + X] - ex + (goX < 0 ? goX : 0)
-  const right = state[s + X] + ex + (goX > 0 ? goX : 0)
-  const top = state[s + Y] - ey + (goY < 0 ? goY : 0)
-  const bottom = state[s + Y] + ey + (goY > 0 ? goY : 0)
+  const left = state[s + X] - ex + Math.min(goX, 0)
+  const right = state[s + X] + ex + Math.max(goX, 0)
+  const top = state[s + Y] - ey + Math.min(goY, 0)
+  const bottom = state[s + Y] + ey + Math.max(goY, 0)
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
-  box[k] = left - SKIN + (goX < 0 ? goX : 0)
-  box[k + 1] = top - SKIN + (goY < 0 ? goY : 0)
-  box[k + 2] = right + SKIN + (goX > 0 ? goX : 0)
-  box[k + 3] = bottom + SKIN + (goY > 0 ? goY : 0)
+  box[k] = left - SKIN + Math.min(goX, 0)
+  box[k + 1] = top - SKIN + Math.min(goY, 0)
+  box[k + 2] = right + SKIN + Math.max(goX, 0)
+  box[k + 3] = bottom + SKIN + Math.max(goY, 0)
   return true
 }
 
@@ -2095,7 +2201,7 @@ function updatePairs(
         for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
           partner[contacts.pair[edge ^ 1]] = i
       }
-      if (partner[j] !== i) addContact(contacts, i < j ? i : j, i < j ? j : i, 0)
+      if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
     }
     // The marks of one body must not outlive it.
     if (marked)
@@ -2145,7 +2251,8 @@ function kick(
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load. Returns the largest change of a normal velocity, px/s.
+ * complementarity problem, by cases), then friction in the interval ±μ·load. With `push`, overlap left by the last move is
+ * taken out of the poses first (`separate` in passing, as the gaps are at hand). Returns the largest change of a normal velocity, px/s.
  */
 function sweep(
   bodies: Bodies,
@@ -2155,6 +2262,7 @@ function sweep(
   to: number,
   h: number,
   friction: number,
+  push: boolean,
 ): number {
   const s = bodies.state
   const d = contacts.data
@@ -2188,8 +2296,10 @@ function sweep(
       speed +
       nb1 * spinB -
       na1 * spinA +
-      (gap1 > 0 ? (l1 > 0 ? GB * gap1 * perH : gap1 * perH + d[k + SLACK]) : 0)
+      (gap1 > 0 ? (l1 > 0 ? CLOSING * gap1 * perH : gap1 * perH + d[k + SLACK]) : 0)
     const k11 = d[k + K11]
+    // A body on its way out, as after an impact, needs no push.
+    if (push && gap1 < -SLOP && (w1 <= 0 || gap1 + w1 * h < -SLOP)) part(s, d, k, a, b, gap1, 0)
     let p1: number
     let normal: number
     let load: number
@@ -2214,7 +2324,8 @@ function sweep(
         speed +
         nb2 * spinB -
         na2 * spinA +
-        (gap2 > 0 ? (l2 > 0 ? GB * gap2 * perH : gap2 * perH + d[k + SLACK]) : 0)
+        (gap2 > 0 ? (l2 > 0 ? CLOSING * gap2 * perH : gap2 * perH + d[k + SLACK]) : 0)
+      if (push && gap2 < -SLOP && (w2 <= 0 || gap2 + w2 * h < -SLOP)) part(s, d, k, a, b, gap2, 1)
       const k12 = d[k + K12]
       const k22 = d[k + K22]
       const det = d[k + INV_DET]
@@ -2298,7 +2409,6 @@ function move(bodies: Bodies, list: Int32Array, from: number, to: number, h: num
     capSpeed(state, s)
     motion[m + NEXT] =
       1.25 * h * (Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN]))
-    turn(state, motion, i)
   }
 }
 
@@ -2312,6 +2422,28 @@ function capSpeed(state: Float64Array, s: number): void {
     state[s + VX] = vx * k
     state[s + VY] = vy * k
   }
+}
+
+/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal. */
+function part(
+  s: Float64Array,
+  d: Float64Array,
+  k: number,
+  a: number,
+  b: number,
+  gap: number,
+  point: number,
+): void {
+  const want = PUSH * (-SLOP - gap)
+  const p = Math.min(want, MAX_PUSH) / (point === 0 ? d[k + K11] : d[k + K22])
+  const pa = s[a + INV_MASS] * p
+  const pb = s[b + INV_MASS] * p
+  s[a + X] -= d[k + NX] * pa
+  s[a + Y] -= d[k + NY] * pa
+  s[a + ANGLE] -= s[a + INV_INERTIA] * (point === 0 ? d[k + NA1] : d[k + NA2]) * p
+  s[b + X] += d[k + NX] * pb
+  s[b + Y] += d[k + NY] * pb
+  s[b + ANGLE] += s[b + INV_INERTIA] * (point === 0 ? d[k + NB1] : d[k + NB2]) * p
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
@@ -2328,43 +2460,18 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
     const b = pair[2 * c + 1] * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
-    const na1 = d[k + NA1]
-    const nb1 = d[k + NB1]
-    let across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-    let angleA = s[a + ANGLE]
-    let angleB = s[b + ANGLE]
-    const iia = s[a + INV_INERTIA]
-    const iib = s[b + INV_INERTIA]
-    let sum = 0
-    let gap = d[k + BASE1] + across + nb1 * angleB - na1 * angleA
-    if (gap < -SLOP) {
-      const want = PUSH * (-SLOP - gap)
-      sum = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K11]
-      angleA -= iia * na1 * sum
-      angleB += iib * nb1 * sum
-    }
+    const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
+    const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
+    if (gap1 < -SLOP) part(s, d, k, a, b, gap1, 0)
     if (points > 1) {
-      const na2 = d[k + NA2]
-      const nb2 = d[k + NB2]
-      across += sum * (s[a + INV_MASS] + s[b + INV_MASS])
-      gap = d[k + BASE2] + across + nb2 * angleB - na2 * angleA
-      if (gap < -SLOP) {
-        const want = PUSH * (-SLOP - gap)
-        const p = (want < MAX_PUSH ? want : MAX_PUSH) / d[k + K22]
-        angleA -= iia * na2 * p
-        angleB += iib * nb2 * p
-        sum += p
-      }
+      const gap2 =
+        d[k + BASE2] +
+        nx * (s[b + X] - s[a + X]) +
+        ny * (s[b + Y] - s[a + Y]) +
+        d[k + NB2] * s[b + ANGLE] -
+        d[k + NA2] * s[a + ANGLE]
+      if (gap2 < -SLOP) part(s, d, k, a, b, gap2, 1)
     }
-    if (sum === 0) continue
-    const pa = s[a + INV_MASS] * sum
-    const pb = s[b + INV_MASS] * sum
-    s[a + X] -= nx * pa
-    s[a + Y] -= ny * pa
-    s[a + ANGLE] = angleA
-    s[b + X] += nx * pb
-    s[b + Y] += ny * pb
-    s[b + ANGLE] = angleB
   }
 }
 
@@ -2438,6 +2545,9 @@ interface Stats {
   islands: number
   substeps: number
   sweeps: number
+  /** Contacts visited by the sweeps over impacts. */
+  hits: number
+  rows: number
 }
 
 type World = ReturnType<typeof createWorld>
@@ -2477,6 +2587,8 @@ function createWorld(options: WorldOptions) {
     islands: 0,
     substeps: 0,
     sweeps: 0,
+    hits: 0,
+    rows: 0,
   }
   let densities = new Float64Array(0)
   let awake = new Int32Array(0)
@@ -2560,9 +2672,14 @@ function createWorld(options: WorldOptions) {
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (contacts.data[k + REACH] - motion[i * MOTION + WAY] - motion[j * MOTION + WAY] > go + MARGIN)
           continue
-        const gap = measure(bodies, contacts, walls, c, MARGIN)
+        touch.margin = MARGIN
+        measure(bodies, contacts, walls, c)
         stats.narrow++
-        if (contacts.data[k + POINTS] === 0 ? gap < go : gap < -4 * SLOP || closing(c) > IMPACT_SPREAD)
+        if (
+          contacts.data[k + POINTS] === 0
+            ? touch.gap < go
+            : touch.gap < -4 * SLOP || closing(c) > IMPACT_SPREAD
+        )
           wake(j)
       }
     }
@@ -2624,34 +2741,79 @@ function createWorld(options: WorldOptions) {
     state[s + SPIN] *= spin.fade
     motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy) + bodies.shape[i * SHAPE + EXTENT] * Math.abs(by)
     capSpeed(state, s)
-    turn(state, motion, i)
   }
 
   /** One island through the step. */
   function solve(b0: number, b1: number, c0: number, c1: number): void {
+    const list = islands.contacts
     const substeps = options.substeps ?? SUBSTEPS
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    warmStart(b0, b1, c0, c1, substeps)
+    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * fastest(b0, b1)))
+    const grabbed = holds.filter((hold) => inIsland(hold, b0))
+    warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
-      refresh(c0, c1)
-      bounceAll(impacts, scene, islands.contacts, c0, c1, h)
+      refresh(c0, c1, h)
+      bounceAll(impacts, scene, list, c0, c1, h)
       kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
-      for (const hold of holds) if (inIsland(hold, b0)) prepareHold(bodies, hold, h, scene.gravity)
-      for (const hold of holds) if (inIsland(hold, b0)) solveHold(bodies, hold)
-      let q = 0
-      while (q++ < SWEEPS) {
+      for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      let change = Infinity
+      for (let k = 0; k < SWEEPS && change > tolerance; k++) {
+        for (const hold of grabbed) solveHold(bodies, hold)
+        change = sweep(bodies, contacts, list, c0, c1, h, scene.friction, n > 0 && k === 0)
         stats.sweeps++
-        if (sweep(bodies, contacts, islands.contacts, c0, c1, h, scene.friction) < TOLERANCE) break
+        stats.rows += c1 - c0
       }
       move(bodies, islands.bodies, b0, b1, h)
-      separate(bodies, contacts, islands.contacts, c0, c1)
+      stats.substeps++
+      if (change < BALANCE && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
-    stats.substeps += substeps
+    separate(bodies, contacts, list, c0, c1)
+  }
+
+  /** Whether no body of an island moves or gains speed. */
+  function inBalance(b0: number, b1: number, h: number): boolean {
+    const { state, motion, shape } = bodies
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      const s = i * STATE
+      const m = i * MOTION
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      if (speed > BALANCE) return false
+      if (Math.abs(motion[m + PUSH_X]) + Math.abs(motion[m + PUSH_Y] + scene.gravity * h) > BALANCE)
+        return false
+    }
+    return true
+  }
+
+  /** px/s, speed of the fastest point of the bodies of an island. */
+  function fastest(b0: number, b1: number): number {
+    const { state, shape } = bodies
+    let most = 0
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      const s = i * STATE
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      if (speed > most) most = speed
+    }
+    return most
   }
 
   /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
-  function warmStart(b0: number, b1: number, c0: number, c1: number, substeps: number): void {
+  function warmStart(
+    b0: number,
+    b1: number,
+    c0: number,
+    c1: number,
+    grabbed: Hold[],
+    substeps: number,
+  ): void {
     const { motion, state, shape } = bodies
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
@@ -2672,32 +2834,24 @@ function createWorld(options: WorldOptions) {
     for (let n = c0; n < c1; n++) {
       const c = islands.contacts[n]
       const k = c * CONTACT
+      d[k + LAG] = 0
       if (d[k + POINTS] > 0 && d[k + LOAD1] + d[k + LOAD2] > 0) {
         if (d[k + RATE] !== substeps) {
           const scale = d[k + RATE] / substeps
           d[k + LOAD1] *= scale
           d[k + LOAD2] *= scale
           d[k + DRAG] *= scale
-          d[k + MEAN1] *= scale
-          d[k + MEAN2] *= scale
         }
-        if (LEAK > 0)
-          for (let p = 0; p < 2; p++) {
-            const l = d[k + LOAD1 + p]
-            const off = l - d[k + MEAN1 + p]
-            d[k + MEAN1 + p] += BLEND * off
-            const cap = CAP / d[k + K11 + p]
-            d[k + LOAD1 + p] = l - Math.max(-cap, Math.min(cap, LEAK * off))
-          }
         carry(bodies, contacts, c, 1)
       }
       d[k + RATE] = substeps
     }
-    for (const hold of holds) if (inIsland(hold, b0)) carryHold(bodies, hold, substeps)
+    for (const hold of grabbed) carryHold(bodies, hold, substeps)
   }
 
   /** Measures again what has moved: a wall at every move, a touching pair after `REFRESH`, others when they may meet. */
-  function refresh(c0: number, c1: number): void {
+  function refresh(c0: number, c1: number, h: number): void {
+    touch.ahead = h
     const d = contacts.data
     const m = bodies.motion
     for (let n = c0; n < c1; n++) {
@@ -2714,10 +2868,12 @@ function createWorld(options: WorldOptions) {
             : gone > d[k + REACH]
           : d[k + REACH] - gone < margin
       if (due) {
-        measure(bodies, contacts, walls, c, margin)
+        touch.margin = margin
+        measure(bodies, contacts, walls, c)
         stats.narrow++
       }
     }
+    touch.ahead = 0
   }
 
   /** Whether the body that `hold` holds is in the island that starts at `b0`. */
@@ -2820,6 +2976,7 @@ function createWorld(options: WorldOptions) {
       stats.islands = 0
       stats.substeps = 0
       stats.sweeps = 0
+      stats.rows = 0
       impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? seconds : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
@@ -2827,7 +2984,7 @@ function createWorld(options: WorldOptions) {
         left = Math.max(0, left - STEP)
         stepOnce()
       }
-      stats.sweeps += impacts.sweeps
+      stats.hits = impacts.sweeps
       count()
     },
 
@@ -2963,39 +3120,44 @@ function size(value: number): number {
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup has the same query. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** ms between releases. */
-const STAGGER = 150
+/** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
+const LIMITS = {
+  gravity: [GRAVITY, 20000],
+  bounce: [BOUNCE, 1],
+  friction: [FRICTION, 10],
+  stagger: [150, 60000],
+} as const
 /** Share of the stage in view that starts the drop; of a very tall stage, the share of the window that it fills. */
 const IN_VIEW = 0.25
 const FILLS_WINDOW = 0.5
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** px that a corner moves before a chip is drawn again. */
-const VISIBLE = 0.1
+/** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
+const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
 /** px that a pointer moves before a press is a drag, and ms that a finger rests before it holds instead of scrolls. */
 const DRAG_START = 4
 const TOUCH_DRAG_START = 8
 const TOUCH_HOLD = 180
-/** px, height of the hop of a tapped chip, px/s² of the least gravity it is made for, and rad/s of twist at its edge. */
+/** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100
-const HOP_SPIN = 4
-/** px/s, rad/s: the most that a shake gives. */
+/** px/s, the most that a shake gives, and rad/s of spin for each px/s. */
 const SHAKE = 1100
-const SHAKE_SPIN = 8
+const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE = 'input, textarea, select, [contenteditable]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 
+/** What the component was given; whatever a caller wrote. */
 interface StageOptions {
-  gravity: number
-  bounce: number
-  friction: number
-  stagger: number
+  gravity?: number | undefined
+  bounce?: number | undefined
+  friction?: number | undefined
+  stagger?: number | undefined
   interactive: boolean
-  onSettle?: () => void
+  onSettle?: (() => void) | undefined
 }
 
 interface Stage {
@@ -3030,20 +3192,18 @@ interface Chip {
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
-  grab?: ReturnType<World['grab']>
-  /** Where it went down, and where it is on the stage. */
-  clientX: number
-  clientY: number
+  down: PointerEvent
+  toStage: (event: PointerEvent) => DOMPoint
+  /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
   seconds: number
-  /** The point of the chip under the pointer, in the chip's own axes. */
-  localX: number
-  localY: number
-  toStage: (event: PointerEvent) => [x: number, y: number]
-  moved: boolean
+  offX: number
+  offY: number
   touch: boolean
+  moved?: boolean
   timer?: ReturnType<typeof setTimeout>
+  grab?: ReturnType<World['grab']>
 }
 
 declare const process: { env: { NODE_ENV?: string } }
@@ -3057,12 +3217,12 @@ function warn(message: string) {
   console.warn(`GravityStack: ${message}`)
 }
 
-/** A number between `low` and `high`, whatever the caller wrote. */
-function sane(name: string, value: unknown, fallback: number, low: number, high: number) {
-  const number = typeof value === 'number' && !Number.isNaN(value) ? value : fallback
-  const result = Math.min(Math.max(number, low), high)
-  if (process.env.NODE_ENV !== 'production' && result !== value)
-    warn(`${name} is ${value}, which is no number from ${low} to ${high}. Going on with ${result}.`)
+/** The number that stands for what a caller wrote. */
+function sane(name: keyof typeof LIMITS, value: unknown) {
+  const [fallback, most] = LIMITS[name]
+  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
+  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
+    warn(`${name} is ${value}, which is no number from 0 to ${most}. Going on with ${result}.`)
   return result
 }
 
@@ -3083,23 +3243,23 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
-  const probes = [0, 0, 1000, 0, 0, 1000].flatMap((left, i, all) => {
-    if (i % 2) return []
-    const probe = root.ownerDocument.createElement('i')
-    probe.style.cssText = `position:absolute;left:${left}px;top:${all[i + 1]}px`
-    return root.appendChild(probe)
-  })
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect())
-  const before = root.getBoundingClientRect()
-  for (const probe of probes) probe.remove()
-  const [ux, uy, vx, vy] = [u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y]
-  const scale = 1000 / (ux * vy - uy * vx || 1)
-  return (event: PointerEvent): [number, number] => {
-    // Scrolled since: the whole stage has moved by as much as its bounding box.
-    const now = root.getBoundingClientRect()
-    const x = event.clientX - o.x - now.x + before.x
-    const y = event.clientY - o.y - now.y + before.y
-    return [(x * vy - y * vx) * scale, (y * ux - x * uy) * scale]
+  const probe = root.appendChild(root.ownerDocument.createElement('i'))
+  const at = (left: number, top: number) => {
+    probe.style.cssText = `position:absolute;left:${left}px;top:${top}px`
+    return probe.getBoundingClientRect()
+  }
+  const box = root.getBoundingClientRect()
+  const o = at(0, 0)
+  const u = at(1000, 0)
+  const v = at(0, 1000)
+  probe.remove()
+  const map = new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+    .scale(0.001)
+    .inverse()
+  return ({ clientX, clientY }: MouseEvent) => {
+    // A page that scrolls moves the whole stage by as much as its bounding box.
+    const { x, y } = root.getBoundingClientRect()
+    return map.transformPoint({ x: clientX - x, y: clientY - y })
   }
 }
 
@@ -3107,11 +3267,12 @@ function createStage(root: HTMLElement): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
   const chips = new Map<Node, Chip>()
+  /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
   /** Chips whose release is to come, the next one first. */
   let queue: Chip[] = []
   let bodies: Chip[] = []
-  let options: StageOptions
+  let options: Required<StageOptions>
   let world: World | undefined
   let width = 0
   let height = 0
@@ -3130,9 +3291,7 @@ function createStage(root: HTMLElement): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  const life = new AbortController()
-  let input: AbortController | undefined
-  let grip: AbortController | undefined
+  let listening = new AbortController()
 
   // Shapes
 
@@ -3141,11 +3300,8 @@ function createStage(root: HTMLElement): Stage {
       const chip = chips.get(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
       else if (target === root) {
-        const style = getComputedStyle(root)
-        width =
-          contentRect.width + Number.parseFloat(style.paddingLeft) + Number.parseFloat(style.paddingRight)
-        height =
-          contentRect.height + Number.parseFloat(style.paddingTop) + Number.parseFloat(style.paddingBottom)
+        width = root.clientWidth
+        height = root.clientHeight
         if (width * height > 0) {
           if (world) world.resize(width, height)
           else begin()
@@ -3163,12 +3319,11 @@ function createStage(root: HTMLElement): Stage {
   })
 
   function collect() {
-    for (const element of root.children) {
-      if (chips.has(element) || !(element as HTMLElement).dataset.slot) continue
+    for (const element of Array.from(root.children)) {
+      if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       const chip = { element, state: 'waiting', width: 0, id: -1 } as unknown as Chip
       chips.set(element, chip)
       if (!still.matches) sizes.observe(element)
-      if (input) listen(chip, input.signal)
     }
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
@@ -3245,7 +3400,7 @@ function createStage(root: HTMLElement): Stage {
 
   function withdraw(chip: Chip) {
     queue = queue.filter((other) => other !== chip)
-    for (const [pointer, press] of presses) if (press.chip === chip) letGo(pointer)
+    for (const press of presses.values()) if (press.chip === chip) letGo(press)
     if (chip.id >= 0) world!.remove(chip.id)
     chip.id = -1
     mark(chip, 'waiting')
@@ -3269,7 +3424,7 @@ function createStage(root: HTMLElement): Stage {
 
   function advance(seconds: number) {
     const end = clock + seconds
-    while (queue.length && queue[0].due <= end) {
+    while (queue[0] && queue[0].due <= end) {
       const chip = queue.shift()!
       world!.step(Math.max(chip.due - clock, 0))
       clock = Math.max(chip.due, clock)
@@ -3289,10 +3444,7 @@ function createStage(root: HTMLElement): Stage {
   }
 
   function paint(id: number, x: number, y: number, angle: number, asleep: boolean) {
-    const chip = bodies[id]
-    x = Math.round(x * 100) / 100
-    y = Math.round(y * 100) / 100
-    angle = Math.round(angle * 1e4) / 1e4
+    const chip = bodies[id]!
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = angle - chip.angle
@@ -3309,12 +3461,14 @@ function createStage(root: HTMLElement): Stage {
 
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
-    const at = `translate(${x - chip.width / 2}px,${y - chip.height / 2}px)rotate(${angle}rad)`
+    const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
     element.style.transform = chip.state === 'held' ? `${at}scale(${HELD_SCALE})` : at
   }
 
   function mark(chip: Chip, next: Chip['state']) {
-    if (chip.state !== next) chip.element.dataset.state = chip.state = next
+    if (chip.state === next) return
+    chip.state = next
+    chip.element.setAttribute('data-state', next)
   }
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
@@ -3344,16 +3498,17 @@ function createStage(root: HTMLElement): Stage {
       clearTimeout(timer)
       if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
     }
-    if (!running && next !== 'resting') for (const pointer of presses.keys()) letGo(pointer)
+    if (!running && next !== 'resting') presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
-    root.dataset.state = state = next
+    state = next
+    root.setAttribute('data-state', next)
     if (settled) options.onSettle?.()
   }
 
   function arrive() {
     awaited = undefined
-    advance(Math.max(queue[0].due - clock, 0))
+    advance(Math.max(queue[0]!.due - clock, 0))
     sync()
   }
 
@@ -3369,105 +3524,93 @@ function createStage(root: HTMLElement): Stage {
   /** The stage comes near the view for the first time. Until then it has done nothing. */
   function arm() {
     armed = true
-    const { signal } = life
-    still.addEventListener('change', stillChanged, { signal })
-    page.addEventListener('visibilitychange', sync, { signal })
-    root.addEventListener('transitionend', ({ target }) => reshape(target), { signal })
-    root.addEventListener(
-      'focusin',
-      ({ target }) => {
-        const chip = chipAt(target as Node)
-        if (!chip) return
-        toFront(chip)
-        // Nobody can use what still waits out of sight.
-        if (!queue.includes(chip)) return
-        started = true
-        chip.due = clock
-        awaited = undefined
-        queue.sort((a, b) => a.due - b.due)
-        sync()
-      },
-      { signal },
-    )
     changes.observe(root, { attributeFilter: ['class'], childList: true, subtree: true })
     collect()
     stillChanged()
-    setInput()
+    listen()
+  }
+
+  function listen() {
+    listening.abort()
+    listening = new AbortController()
+    const { signal } = listening
+    const on = (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
+      target.addEventListener(type, handler as EventListener, { signal, ...more })
+    on(still, 'change', stillChanged)
+    on(page, 'visibilitychange', sync)
+    on(root, 'transitionend', ({ target }) => reshape(target))
+    on(root, 'focusin', focus)
+    presses.forEach(letGo)
+    if (!options.interactive) return
+    on(root, 'pointerdown', down)
+    on(root, 'click', click, { capture: true })
+    // No images of links drag along with a chip, and a finger that holds one does not scroll.
+    on(root, 'dragstart', (event: Event) => presses.size && event.preventDefault())
+    on(root, 'touchmove', scroll, { passive: false })
+    const view = page.defaultView!
+    on(view, 'pointermove', move)
+    on(view, 'pointerup', up)
+    on(view, 'pointercancel', up)
+    on(view, 'lostpointercapture', up)
+  }
+
+  function scroll(event: TouchEvent) {
+    if (event.cancelable && chipAt(event.target as Node)?.state === 'held') event.preventDefault()
+  }
+
+  function focus({ target }: FocusEvent) {
+    const chip = chipAt(target as Node)
+    if (!chip) return
+    toFront(chip)
+    // Nobody can use what still waits out of sight.
+    if (!queue.includes(chip)) return
+    root.scrollIntoView({ block: 'nearest' })
+    started = true
+    chip.due = clock
+    awaited = undefined
+    queue.sort((a, b) => a.due - b.due)
+    sync()
   }
 
   // Pointers
-
-  function setInput() {
-    const wanted = armed && options.interactive
-    if (wanted === !!input) return
-    input?.abort()
-    input = undefined
-    for (const pointer of presses.keys()) letGo(pointer)
-    if (!wanted) return
-    input = new AbortController()
-    const { signal } = input
-    root.addEventListener('pointerdown', down, { signal })
-    root.addEventListener('dragstart', (event) => presses.size && event.preventDefault(), { signal })
-    root.addEventListener('click', click, { capture: true, signal })
-    for (const chip of chips.values()) listen(chip, signal)
-  }
-
-  /** A held chip keeps the finger from scrolling. On the chips alone: the rest of the stage scrolls unasked. */
-  function listen(chip: Chip, signal: AbortSignal) {
-    const hold = (event: Event) => chip.state === 'held' && event.cancelable && event.preventDefault()
-    chip.element.addEventListener('touchmove', hold, { passive: false, signal })
-  }
 
   function toFront(chip: Chip) {
     chip.element.style.zIndex = `${++front}`
   }
 
+  /** The chip in the world that an event is about, while the stage takes part in things. */
+  function touched({ target }: Event) {
+    const chip = chipAt(target as Node)
+    return chip && chip.id >= 0 && (state === 'running' || state === 'resting') ? chip : undefined
+  }
+
   function down(event: PointerEvent) {
     swallowClick = false
-    const target = event.target as Element
-    const chip = chipAt(target)
-    const { clientX, clientY, pointerId } = event
-    if (!chip || chip.id < 0 || event.button || event.ctrlKey || target.closest(EDITABLE)) return
-    if (state !== 'running' && state !== 'resting') return
-    for (const press of presses.values()) if (press.chip === chip) return
-    const toStage = pointerMap(root)
-    const [x, y] = toStage(event)
-    const [cos, sin] = [Math.cos(chip.angle), Math.sin(chip.angle)]
-    const press: Press = {
-      chip,
-      clientX,
-      clientY,
-      x,
-      y,
-      toStage,
-      seconds: event.timeStamp / 1000,
-      localX: cos * (x - chip.x) + sin * (y - chip.y),
-      localY: cos * (y - chip.y) - sin * (x - chip.x),
-      moved: false,
-      touch: event.pointerType === 'touch',
-    }
-    letGo(pointerId)
-    if (!presses.size) {
-      grip = new AbortController()
-      const { signal } = grip
-      const view = page.defaultView!
-      view.addEventListener('pointermove', move, { signal })
-      view.addEventListener('pointerup', up, { signal })
-      const lose = ({ pointerId }: PointerEvent) => letGo(pointerId)
-      view.addEventListener('pointercancel', lose, { signal })
-      view.addEventListener('lostpointercapture', lose, { signal })
-    }
-    presses.set(pointerId, press)
-    if (press.touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
+    const chip = touched(event)
+    if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
+    if ((event.target as Element).closest(EDITABLE)) return
+    const touch = event.pointerType === 'touch'
+    const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
+    track(press, event)
+    press.offX = press.x - chip.x
+    press.offY = press.y - chip.y
+    presses.set(event.pointerId, press)
+    if (touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
     else hold(press)
   }
 
+  function track(press: Press, event: PointerEvent) {
+    const { x, y } = press.toStage(event)
+    press.x = x
+    press.y = y
+    press.seconds = event.timeStamp / 1000
+  }
+
   function hold(press: Press) {
-    const { chip, localX, localY } = press
-    const { x, y, angle } = world!.read(chip.id)
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
+    const { chip } = press
+    const { x, y } = world!.read(chip.id)
     clearTimeout(press.timer)
-    press.grab = world!.grab(chip.id, x + cos * localX - sin * localY, y + sin * localX + cos * localY)
+    press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
     toFront(chip)
@@ -3478,38 +3621,36 @@ function createStage(root: HTMLElement): Stage {
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    const dx = event.clientX - press.clientX
-    const dy = event.clientY - press.clientY
-    ;[press.x, press.y] = press.toStage(event)
-    press.seconds = event.timeStamp / 1000
+    track(press, event)
+    const dx = event.clientX - press.down.clientX
+    const dy = event.clientY - press.down.clientY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
-      if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(event.pointerId)
+      if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
+      // A finger is captured by what it touched from the start. A pointer made up by a script can't be.
       try {
-        press.chip.element.setPointerCapture(event.pointerId)
-      } catch {
-        // The pointer is gone already, or a script made it up.
-      }
+        if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
+      } catch {}
       if (!press.grab) hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
   }
 
+  /** The pointer is up, or lost to the browser. */
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    move(event)
-    swallowClick = press.moved
-    letGo(event.pointerId)
+    if (event.type === 'pointerup') {
+      move(event)
+      swallowClick = !!press.moved
+    }
+    letGo(press)
   }
 
-  function letGo(pointer: number) {
-    const press = presses.get(pointer)
-    if (!press) return
-    presses.delete(pointer)
+  function letGo(press: Press) {
+    presses.delete(press.down.pointerId)
     clearTimeout(press.timer)
-    if (!presses.size) grip!.abort()
     if (!press.grab) return
     press.grab.release()
     mark(press.chip, 'falling')
@@ -3524,21 +3665,30 @@ function createStage(root: HTMLElement): Stage {
       event.stopPropagation()
       return
     }
-    const chip = chipAt(event.target as Node)
     // A way to move a chip without dragging.
-    if (!chip || chip.id < 0 || (event.target as Element).closest(CONTROL)) return
-    if (state !== 'running' && state !== 'resting') return
-    const lift = Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY))
-    const [x] = pointerMap(root)(event as PointerEvent)
-    const spin = (HOP_SPIN * (x - chip.x)) / chip.width
-    world!.place(chip.id, { ...world!.read(chip.id), vy: -lift, spin })
+    const chip = touched(event)
+    if (!chip || (event.target as Element).closest(CONTROL)) return
+    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity!, HOP_GRAVITY)))
     sync()
+  }
+
+  /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
+  function kick(chip: Chip, speed: number) {
+    if (chip.id < 0) return
+    const either = (channel: number) => 2 * scatter(turns, channel) - 1
+    turns++
+    world!.place(chip.id, {
+      ...world!.read(chip.id),
+      vx: 0.3 * speed * either(1),
+      vy: speed * (0.1 * either(2) - 0.9),
+      spin: KICK_TWIST * speed * either(3),
+    })
   }
 
   watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
     inView = isIntersecting
     if (inView && !armed) arm()
-    const fills = intersectionRect.height >= FILLS_WINDOW * (rootBounds?.height ?? Number.POSITIVE_INFINITY)
+    const fills = intersectionRect.height > FILLS_WINDOW * (rootBounds?.height ?? Number.NaN)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
     if (armed) sync()
   })
@@ -3546,39 +3696,26 @@ function createStage(root: HTMLElement): Stage {
   return {
     update(next) {
       const before = options
-      options = {
-        ...next,
-        gravity: sane('gravity', next.gravity, GRAVITY, 0, 20000),
-        bounce: sane('bounce', next.bounce, BOUNCE, 0, 1),
-        friction: sane('friction', next.friction, FRICTION, 0, 10),
-        stagger: sane('stagger', next.stagger, STAGGER, 0, 60000),
+      options = { ...next } as typeof options
+      let changed = false
+      for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
+        options[name] = sane(name, next[name])
+        if (before && options[name] !== before[name]) changed = true
       }
-      const { gravity, bounce, friction } = options
-      setInput()
-      if (!world || (gravity === before.gravity && bounce === before.bounce && friction === before.friction))
-        return
-      world.configure({ gravity, bounce, friction })
+      if (armed && options.interactive !== before.interactive) listen()
+      if (!world || !changed) return
+      world.configure(options)
       sync()
     },
     drop() {
       if (!world) return
-      for (const pointer of presses.keys()) letGo(pointer)
+      presses.forEach(letGo)
       started = true
       begin()
       sync()
     },
     shake() {
-      for (const chip of chips.values()) {
-        if (chip.id < 0) continue
-        const either = (channel: number) => 2 * scatter(turns++, channel) - 1
-        const vy = -SHAKE * (0.7 + 0.3 * either(2))
-        world!.place(chip.id, {
-          ...world!.read(chip.id),
-          vx: 0.5 * SHAKE * either(1),
-          vy,
-          spin: SHAKE_SPIN * either(3),
-        })
-      }
+      for (const chip of chips.values()) kick(chip, SHAKE)
       sync()
     },
     pause() {
@@ -3590,15 +3727,14 @@ function createStage(root: HTMLElement): Stage {
       sync()
     },
     destroy() {
-      for (const pointer of presses.keys()) letGo(pointer)
+      presses.forEach(letGo)
       watcher!.unobserve(root)
-      life.abort()
-      input?.abort()
+      listening.abort()
       sizes.disconnect()
       changes.disconnect()
       clearTimeout(timer)
       cancelFrame(tick)
-      root.dataset.state = 'static'
+      root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {
         mark(chip, 'waiting')
         chip.element.style.transform = chip.element.style.zIndex = ''
@@ -3659,8 +3795,9 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
 
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
-  return React.Children.toArray(children).flatMap((child, i): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
+  let texts = 0
+  return React.Children.toArray(children).flatMap((child): [string, React.ReactNode][] => {
+    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${texts++}`, child]]
     const key = `${path}/${child.key}`
     return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
   })
@@ -3674,12 +3811,12 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
 export const GravityStack = React.forwardRef(function GravityStack(
   {
     children,
-    gravity = GRAVITY,
-    bounce = BOUNCE,
-    stagger = STAGGER,
+    gravity,
+    bounce,
+    stagger,
     interactive = true,
     className,
-    friction = FRICTION,
+    friction,
     onSettle,
     actionsRef,
     ...props
@@ -3711,6 +3848,15 @@ export const GravityStack = React.forwardRef(function GravityStack(
     [],
   )
 
+  const chip = cn(
+    'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
+    'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
+    'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
+    'forced-colors:*:not-focus-visible:outline',
+    '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+    interactive &&
+      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
+  )
   return (
     <div
       {...props}
@@ -3718,28 +3864,15 @@ export const GravityStack = React.forwardRef(function GravityStack(
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/gravity-stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip p-4 contain-content',
-        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        'group/stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
       )}
     >
-      {chipsOf(children).map(([key, chip]) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          data-state="waiting"
-          className={cn(
-            'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-            'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
-            'group-data-[state=running]/gravity-stack:data-[state=falling]:will-change-transform',
-            'group-data-[state=running]/gravity-stack:data-[state=held]:will-change-transform',
-            'forced-colors:*:not-focus-visible:outline',
-            interactive && 'touch-pan-y touch-pinch-zoom cursor-grab data-[state=held]:cursor-grabbing',
-            interactive && '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
-          )}
-        >
-          {chip}
+      {chipsOf(children).map(([key, child]) => (
+        <div key={key} data-slot="gravity-stack-chip" data-state="waiting" className={chip}>
+          {child}
         </div>
       ))}
     </div>

@@ -1,7 +1,6 @@
 import { cn } from 'cn'
 import * as React from 'react'
-import { BOUNCE, FRICTION, GRAVITY } from './constants'
-import { createStage, STAGGER, type Stage } from './stage'
+import { createStage, type Stage } from './stage'
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
@@ -69,12 +68,12 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
 export const GravityStack = React.forwardRef(function GravityStack(
   {
     children,
-    gravity = GRAVITY,
-    bounce = BOUNCE,
-    stagger = STAGGER,
+    gravity,
+    bounce,
+    stagger,
     interactive = true,
     className,
-    friction = FRICTION,
+    friction,
     onSettle,
     actionsRef,
     ...props
@@ -106,6 +105,15 @@ export const GravityStack = React.forwardRef(function GravityStack(
     [],
   )
 
+  const chip = cn(
+    'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
+    'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
+    'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
+    'forced-colors:*:not-focus-visible:outline',
+    '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+    interactive &&
+      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
+  )
   return (
     <div
       {...props}
@@ -113,28 +121,15 @@ export const GravityStack = React.forwardRef(function GravityStack(
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/gravity-stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
-        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4 [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        'group/stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
+        '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
       )}
     >
-      {chipsOf(children).map(([key, chip]) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          data-state="waiting"
-          className={cn(
-            'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-            'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
-            'group-data-[state=running]/gravity-stack:data-[state=falling]:will-change-transform',
-            'group-data-[state=running]/gravity-stack:data-[state=held]:will-change-transform',
-            'forced-colors:*:not-focus-visible:outline',
-            interactive && 'touch-pan-y touch-pinch-zoom cursor-grab data-[state=held]:cursor-grabbing',
-            interactive && '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
-          )}
-        >
-          {chip}
+      {chipsOf(children).map(([key, child]) => (
+        <div key={key} data-slot="gravity-stack-chip" data-state="waiting" className={chip}>
+          {child}
         </div>
       ))}
     </div>

@@ -8,37 +8,42 @@ import { createWorld, type World } from './world'
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup has the same query. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** ms between releases. */
-export const STAGGER = 150
+/** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
+const LIMITS = {
+  gravity: [GRAVITY, 20000],
+  bounce: [BOUNCE, 1],
+  friction: [FRICTION, 10],
+  stagger: [150, 60000],
+} as const
 /** Share of the stage in view that starts the drop; of a very tall stage, the share of the window that it fills. */
 const IN_VIEW = 0.25
 const FILLS_WINDOW = 0.5
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** px that a corner moves before a chip is drawn again. */
-const VISIBLE = 0.1
+/** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
+const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
 /** px that a pointer moves before a press is a drag, and ms that a finger rests before it holds instead of scrolls. */
 const DRAG_START = 4
 const TOUCH_DRAG_START = 8
 const TOUCH_HOLD = 180
-/** px, height of the hop of a tapped chip, px/s² of the least gravity it is made for, and rad/s of twist at its edge. */
+/** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100
-const HOP_SPIN = 4
-/** px/s, rad/s: the most that a shake gives. */
+/** px/s, the most that a shake gives, and rad/s of spin for each px/s. */
 const SHAKE = 1100
-const SHAKE_SPIN = 8
+const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE = 'input, textarea, select, [contenteditable]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 
+/** What the component was given; whatever a caller wrote. */
 export interface StageOptions {
-  gravity: number
-  bounce: number
-  friction: number
-  stagger: number
+  gravity?: number | undefined
+  bounce?: number | undefined
+  friction?: number | undefined
+  stagger?: number | undefined
   interactive: boolean
   onSettle?: (() => void) | undefined
 }
@@ -75,20 +80,18 @@ interface Chip {
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
-  grab?: ReturnType<World['grab']>
-  /** Where it went down, and where it is on the stage. */
-  clientX: number
-  clientY: number
+  down: PointerEvent
+  toStage: (event: PointerEvent) => DOMPoint
+  /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
   seconds: number
-  /** The point of the chip under the pointer, in the chip's own axes. */
-  localX: number
-  localY: number
-  toStage: (event: PointerEvent) => [x: number, y: number]
-  moved: boolean
+  offX: number
+  offY: number
   touch: boolean
+  moved?: boolean
   timer?: ReturnType<typeof setTimeout>
+  grab?: ReturnType<World['grab']>
 }
 
 declare const process: { env: { NODE_ENV?: string } }
@@ -102,11 +105,12 @@ function warn(message: string) {
   console.warn(`GravityStack: ${message}`)
 }
 
-/** A number between `low` and `high`, whatever the caller wrote. */
-function sane(name: string, value: unknown, fallback: number, low: number, high: number) {
-  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, low), high) : fallback
-  if (process.env.NODE_ENV !== 'production' && result !== value)
-    warn(`${name} is ${value}, which is no number from ${low} to ${high}. Going on with ${result}.`)
+/** The number that stands for what a caller wrote. */
+function sane(name: keyof typeof LIMITS, value: unknown) {
+  const [fallback, most] = LIMITS[name]
+  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
+  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
+    warn(`${name} is ${value}, which is no number from 0 to ${most}. Going on with ${result}.`)
   return result
 }
 
@@ -127,24 +131,23 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
-  const probes = [0, 0, 1000, 0, 0, 1000].flatMap((left, i, all) => {
-    if (i % 2) return []
-    const probe = root.ownerDocument.createElement('i')
-    probe.style.cssText = `position:absolute;left:${left}px;top:${all[i + 1]}px`
-    return root.appendChild(probe)
-  })
-  type Three = [DOMRect, DOMRect, DOMRect]
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as Three
-  const before = root.getBoundingClientRect()
-  for (const probe of probes) probe.remove()
-  const [ux, uy, vx, vy] = [u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y]
-  const scale = 1000 / (ux * vy - uy * vx || 1)
-  return (event: PointerEvent): [number, number] => {
-    // Scrolled since: the whole stage has moved by as much as its bounding box.
-    const now = root.getBoundingClientRect()
-    const x = event.clientX - o.x - now.x + before.x
-    const y = event.clientY - o.y - now.y + before.y
-    return [(x * vy - y * vx) * scale, (y * ux - x * uy) * scale]
+  const probe = root.appendChild(root.ownerDocument.createElement('i'))
+  const at = (left: number, top: number) => {
+    probe.style.cssText = `position:absolute;left:${left}px;top:${top}px`
+    return probe.getBoundingClientRect()
+  }
+  const box = root.getBoundingClientRect()
+  const o = at(0, 0)
+  const u = at(1000, 0)
+  const v = at(0, 1000)
+  probe.remove()
+  const map = new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+    .scale(0.001)
+    .inverse()
+  return ({ clientX, clientY }: MouseEvent) => {
+    // A page that scrolls moves the whole stage by as much as its bounding box.
+    const { x, y } = root.getBoundingClientRect()
+    return map.transformPoint({ x: clientX - x, y: clientY - y })
   }
 }
 
@@ -152,11 +155,12 @@ export function createStage(root: HTMLElement): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
   const chips = new Map<Node, Chip>()
+  /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
   /** Chips whose release is to come, the next one first. */
   let queue: Chip[] = []
   let bodies: Chip[] = []
-  let options: StageOptions
+  let options: Required<StageOptions>
   let world: World | undefined
   let width = 0
   let height = 0
@@ -175,9 +179,7 @@ export function createStage(root: HTMLElement): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  const life = new AbortController()
-  let input: AbortController | undefined
-  let grip: AbortController | undefined
+  let listening = new AbortController()
 
   // Shapes
 
@@ -186,11 +188,8 @@ export function createStage(root: HTMLElement): Stage {
       const chip = chips.get(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
       else if (target === root) {
-        const style = getComputedStyle(root)
-        width =
-          contentRect.width + Number.parseFloat(style.paddingLeft) + Number.parseFloat(style.paddingRight)
-        height =
-          contentRect.height + Number.parseFloat(style.paddingTop) + Number.parseFloat(style.paddingBottom)
+        width = root.clientWidth
+        height = root.clientHeight
         if (width * height > 0) {
           if (world) world.resize(width, height)
           else begin()
@@ -213,7 +212,6 @@ export function createStage(root: HTMLElement): Stage {
       const chip = { element, state: 'waiting', width: 0, id: -1 } as unknown as Chip
       chips.set(element, chip)
       if (!still.matches) sizes.observe(element)
-      if (input) listen(chip, input.signal)
     }
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
@@ -290,7 +288,7 @@ export function createStage(root: HTMLElement): Stage {
 
   function withdraw(chip: Chip) {
     queue = queue.filter((other) => other !== chip)
-    for (const [pointer, press] of presses) if (press.chip === chip) letGo(pointer)
+    for (const press of presses.values()) if (press.chip === chip) letGo(press)
     if (chip.id >= 0) world!.remove(chip.id)
     chip.id = -1
     mark(chip, 'waiting')
@@ -335,9 +333,6 @@ export function createStage(root: HTMLElement): Stage {
 
   function paint(id: number, x: number, y: number, angle: number, asleep: boolean) {
     const chip = bodies[id]!
-    x = Math.round(x * 100) / 100
-    y = Math.round(y * 100) / 100
-    angle = Math.round(angle * 1e4) / 1e4
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = angle - chip.angle
@@ -354,7 +349,7 @@ export function createStage(root: HTMLElement): Stage {
 
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
-    const at = `translate(${x - chip.width / 2}px,${y - chip.height / 2}px)rotate(${angle}rad)`
+    const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
     element.style.transform = chip.state === 'held' ? `${at}scale(${HELD_SCALE})` : at
   }
 
@@ -391,7 +386,7 @@ export function createStage(root: HTMLElement): Stage {
       clearTimeout(timer)
       if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
     }
-    if (!running && next !== 'resting') for (const pointer of presses.keys()) letGo(pointer)
+    if (!running && next !== 'resting') presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     state = next
@@ -417,106 +412,93 @@ export function createStage(root: HTMLElement): Stage {
   /** The stage comes near the view for the first time. Until then it has done nothing. */
   function arm() {
     armed = true
-    const { signal } = life
-    still.addEventListener('change', stillChanged, { signal })
-    page.addEventListener('visibilitychange', sync, { signal })
-    root.addEventListener('transitionend', ({ target }) => reshape(target), { signal })
-    root.addEventListener(
-      'focusin',
-      ({ target }) => {
-        const chip = chipAt(target as Node)
-        if (!chip) return
-        toFront(chip)
-        // Nobody can use what still waits out of sight.
-        if (!queue.includes(chip)) return
-        root.scrollIntoView({ block: 'nearest' })
-        started = true
-        chip.due = clock
-        awaited = undefined
-        queue.sort((a, b) => a.due - b.due)
-        sync()
-      },
-      { signal },
-    )
     changes.observe(root, { attributeFilter: ['class'], childList: true, subtree: true })
     collect()
     stillChanged()
-    setInput()
+    listen()
+  }
+
+  function listen() {
+    listening.abort()
+    listening = new AbortController()
+    const { signal } = listening
+    const on = (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
+      target.addEventListener(type, handler as EventListener, { signal, ...more })
+    on(still, 'change', stillChanged)
+    on(page, 'visibilitychange', sync)
+    on(root, 'transitionend', ({ target }) => reshape(target))
+    on(root, 'focusin', focus)
+    presses.forEach(letGo)
+    if (!options.interactive) return
+    on(root, 'pointerdown', down)
+    on(root, 'click', click, { capture: true })
+    // No images of links drag along with a chip, and a finger that holds one does not scroll.
+    on(root, 'dragstart', (event: Event) => presses.size && event.preventDefault())
+    on(root, 'touchmove', scroll, { passive: false })
+    const view = page.defaultView!
+    on(view, 'pointermove', move)
+    on(view, 'pointerup', up)
+    on(view, 'pointercancel', up)
+    on(view, 'lostpointercapture', up)
+  }
+
+  function scroll(event: TouchEvent) {
+    if (event.cancelable && chipAt(event.target as Node)?.state === 'held') event.preventDefault()
+  }
+
+  function focus({ target }: FocusEvent) {
+    const chip = chipAt(target as Node)
+    if (!chip) return
+    toFront(chip)
+    // Nobody can use what still waits out of sight.
+    if (!queue.includes(chip)) return
+    root.scrollIntoView({ block: 'nearest' })
+    started = true
+    chip.due = clock
+    awaited = undefined
+    queue.sort((a, b) => a.due - b.due)
+    sync()
   }
 
   // Pointers
-
-  function setInput() {
-    const wanted = armed && options.interactive
-    if (wanted === !!input) return
-    input?.abort()
-    input = undefined
-    for (const pointer of presses.keys()) letGo(pointer)
-    if (!wanted) return
-    input = new AbortController()
-    const { signal } = input
-    root.addEventListener('pointerdown', down, { signal })
-    root.addEventListener('dragstart', (event) => presses.size && event.preventDefault(), { signal })
-    root.addEventListener('click', click, { capture: true, signal })
-    for (const chip of chips.values()) listen(chip, signal)
-  }
-
-  /** A held chip keeps the finger from scrolling. On the chips alone: the rest of the stage scrolls unasked. */
-  function listen(chip: Chip, signal: AbortSignal) {
-    const hold = (event: Event) => chip.state === 'held' && event.cancelable && event.preventDefault()
-    chip.element.addEventListener('touchmove', hold, { passive: false, signal })
-  }
 
   function toFront(chip: Chip) {
     chip.element.style.zIndex = `${++front}`
   }
 
+  /** The chip in the world that an event is about, while the stage takes part in things. */
+  function touched({ target }: Event) {
+    const chip = chipAt(target as Node)
+    return chip && chip.id >= 0 && (state === 'running' || state === 'resting') ? chip : undefined
+  }
+
   function down(event: PointerEvent) {
     swallowClick = false
-    const target = event.target as Element
-    const chip = chipAt(target)
-    const { clientX, clientY, pointerId } = event
-    if (!chip || chip.id < 0 || event.button || event.ctrlKey || target.closest(EDITABLE)) return
-    if (state !== 'running' && state !== 'resting') return
-    for (const press of presses.values()) if (press.chip === chip) return
-    const toStage = pointerMap(root)
-    const [x, y] = toStage(event)
-    const [cos, sin] = [Math.cos(chip.angle), Math.sin(chip.angle)]
-    const press: Press = {
-      chip,
-      clientX,
-      clientY,
-      x,
-      y,
-      toStage,
-      seconds: event.timeStamp / 1000,
-      localX: cos * (x - chip.x) + sin * (y - chip.y),
-      localY: cos * (y - chip.y) - sin * (x - chip.x),
-      moved: false,
-      touch: event.pointerType === 'touch',
-    }
-    letGo(pointerId)
-    if (!presses.size) {
-      grip = new AbortController()
-      const { signal } = grip
-      const view = page.defaultView!
-      view.addEventListener('pointermove', move, { signal })
-      view.addEventListener('pointerup', up, { signal })
-      const lose = ({ pointerId }: PointerEvent) => letGo(pointerId)
-      view.addEventListener('pointercancel', lose, { signal })
-      view.addEventListener('lostpointercapture', lose, { signal })
-    }
-    presses.set(pointerId, press)
-    if (press.touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
+    const chip = touched(event)
+    if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
+    if ((event.target as Element).closest(EDITABLE)) return
+    const touch = event.pointerType === 'touch'
+    const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
+    track(press, event)
+    press.offX = press.x - chip.x
+    press.offY = press.y - chip.y
+    presses.set(event.pointerId, press)
+    if (touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
     else hold(press)
   }
 
+  function track(press: Press, event: PointerEvent) {
+    const { x, y } = press.toStage(event)
+    press.x = x
+    press.y = y
+    press.seconds = event.timeStamp / 1000
+  }
+
   function hold(press: Press) {
-    const { chip, localX, localY } = press
-    const { x, y, angle } = world!.read(chip.id)
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
+    const { chip } = press
+    const { x, y } = world!.read(chip.id)
     clearTimeout(press.timer)
-    press.grab = world!.grab(chip.id, x + cos * localX - sin * localY, y + sin * localX + cos * localY)
+    press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
     toFront(chip)
@@ -527,39 +509,36 @@ export function createStage(root: HTMLElement): Stage {
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    const dx = event.clientX - press.clientX
-    const dy = event.clientY - press.clientY
-    ;[press.x, press.y] = press.toStage(event)
-    press.seconds = event.timeStamp / 1000
+    track(press, event)
+    const dx = event.clientX - press.down.clientX
+    const dy = event.clientY - press.down.clientY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
-      if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(event.pointerId)
+      if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
+      // A finger is captured by what it touched from the start. A pointer made up by a script can't be.
       try {
-        // A finger is captured by what it touched from the start.
         if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
-      } catch {
-        // The pointer is gone already, or a script made it up.
-      }
+      } catch {}
       if (!press.grab) hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
   }
 
+  /** The pointer is up, or lost to the browser. */
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    move(event)
-    swallowClick = press.moved
-    letGo(event.pointerId)
+    if (event.type === 'pointerup') {
+      move(event)
+      swallowClick = !!press.moved
+    }
+    letGo(press)
   }
 
-  function letGo(pointer: number) {
-    const press = presses.get(pointer)
-    if (!press) return
-    presses.delete(pointer)
+  function letGo(press: Press) {
+    presses.delete(press.down.pointerId)
     clearTimeout(press.timer)
-    if (!presses.size) grip!.abort()
     if (!press.grab) return
     press.grab.release()
     mark(press.chip, 'falling')
@@ -574,21 +553,30 @@ export function createStage(root: HTMLElement): Stage {
       event.stopPropagation()
       return
     }
-    const chip = chipAt(event.target as Node)
     // A way to move a chip without dragging.
-    if (!chip || chip.id < 0 || (event.target as Element).closest(CONTROL)) return
-    if (state !== 'running' && state !== 'resting') return
-    const lift = Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY))
-    const [x] = pointerMap(root)(event as PointerEvent)
-    const spin = (HOP_SPIN * (x - chip.x)) / chip.width
-    world!.place(chip.id, { ...world!.read(chip.id), vy: -lift, spin })
+    const chip = touched(event)
+    if (!chip || (event.target as Element).closest(CONTROL)) return
+    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity!, HOP_GRAVITY)))
     sync()
+  }
+
+  /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
+  function kick(chip: Chip, speed: number) {
+    if (chip.id < 0) return
+    const either = (channel: number) => 2 * scatter(turns, channel) - 1
+    turns++
+    world!.place(chip.id, {
+      ...world!.read(chip.id),
+      vx: 0.3 * speed * either(1),
+      vy: speed * (0.1 * either(2) - 0.9),
+      spin: KICK_TWIST * speed * either(3),
+    })
   }
 
   watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
     inView = isIntersecting
     if (inView && !armed) arm()
-    const fills = intersectionRect.height >= FILLS_WINDOW * (rootBounds?.height ?? Number.POSITIVE_INFINITY)
+    const fills = intersectionRect.height > FILLS_WINDOW * (rootBounds?.height ?? Number.NaN)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
     if (armed) sync()
   })
@@ -596,39 +584,26 @@ export function createStage(root: HTMLElement): Stage {
   return {
     update(next) {
       const before = options
-      options = {
-        ...next,
-        gravity: sane('gravity', next.gravity, GRAVITY, 0, 20000),
-        bounce: sane('bounce', next.bounce, BOUNCE, 0, 1),
-        friction: sane('friction', next.friction, FRICTION, 0, 10),
-        stagger: sane('stagger', next.stagger, STAGGER, 0, 60000),
+      options = { ...next } as typeof options
+      let changed = false
+      for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
+        options[name] = sane(name, next[name])
+        if (before && options[name] !== before[name]) changed = true
       }
-      const { gravity, bounce, friction } = options
-      setInput()
-      if (!world || (gravity === before.gravity && bounce === before.bounce && friction === before.friction))
-        return
-      world.configure({ gravity, bounce, friction })
+      if (armed && options.interactive !== before.interactive) listen()
+      if (!world || !changed) return
+      world.configure(options)
       sync()
     },
     drop() {
       if (!world) return
-      for (const pointer of presses.keys()) letGo(pointer)
+      presses.forEach(letGo)
       started = true
       begin()
       sync()
     },
     shake() {
-      for (const chip of chips.values()) {
-        if (chip.id < 0) continue
-        const either = (channel: number) => 2 * scatter(turns++, channel) - 1
-        const vy = -SHAKE * (0.7 + 0.3 * either(2))
-        world!.place(chip.id, {
-          ...world!.read(chip.id),
-          vx: 0.5 * SHAKE * either(1),
-          vy,
-          spin: SHAKE_SPIN * either(3),
-        })
-      }
+      for (const chip of chips.values()) kick(chip, SHAKE)
       sync()
     },
     pause() {
@@ -640,10 +615,9 @@ export function createStage(root: HTMLElement): Stage {
       sync()
     },
     destroy() {
-      for (const pointer of presses.keys()) letGo(pointer)
+      presses.forEach(letGo)
       watcher!.unobserve(root)
-      life.abort()
-      input?.abort()
+      listening.abort()
       sizes.disconnect()
       changes.disconnect()
       clearTimeout(timer)
