@@ -5,7 +5,9 @@ import { siteUrl } from '@/site.config.mjs'
 export const dynamic = 'force-static'
 
 export default function sitemap(): MetadataRoute.Sitemap {
-  return ['', '/docs', '/playground', ...docs.map((doc) => `/docs/${doc.slug}`)].map((path) => ({
-    url: siteUrl + path,
-  }))
+  return ['', '/docs', '/playground', '/benchmarks', ...docs.map((doc) => `/docs/${doc.slug}`)].map(
+    (path) => ({
+      url: siteUrl + path,
+    }),
+  )
 }

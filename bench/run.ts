@@ -286,9 +286,7 @@ const sceneCosts: SceneCostRow[] = sceneCostJobs.flatMap((job) => {
 })
 
 const single = (kind: 'asleep' | 'allocation') =>
-  Object.fromEntries(
-    singles.filter((job) => job.kind === kind).map((job) => [job.engine, outcomeOf(job) as number | null]),
-  )
+  Object.fromEntries(singles.filter((job) => job.kind === kind).map((job) => [job.engine, outcomeOf(job)]))
 
 const results: Results = {
   date: new Date().toISOString(),

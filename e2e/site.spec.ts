@@ -4,7 +4,7 @@ import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, test } from '@playwright/test'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
-const pages = ['/', '/docs', '/playground', ...docs, '/404']
+const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
 
 /** px that the page is wider than its window. */
 const overflow = (page: Page) =>

@@ -1,0 +1,426 @@
+import './benchmarks.css'
+import type { Metadata } from 'next'
+import type { ReactNode } from 'react'
+import { frontier, ours, points, type Results, type Verdict, verdicts } from '@/bench/report'
+import data from '@/bench/results/results.json'
+import { engineOrder, figure, looks, settingTitle } from './engines'
+import { Marks, Plot, type PlotLine } from './plot'
+import { PlotTable } from './plot-table'
+import { RunOnDevice } from './run-on-device'
+import { Table } from './table'
+
+export const metadata: Metadata = {
+  title: 'Benchmarks',
+  description:
+    'Run time against error for Gravity Stack and every engine beside it: named scenes, exact answers, all settings, raw data.',
+  alternates: { canonical: '/benchmarks' },
+}
+
+const results = data as unknown as Results
+
+const groups: { title: string; text: string; scenes: RegExp }[] = [
+  {
+    title: 'Flight',
+    text: 'The answer is a formula, so the error is the distance from it after a second.',
+    scenes: /^(free-fall|projectile|spin)/,
+  },
+  {
+    title: 'Bounces and impacts',
+    text: 'Heights, paths and velocities by Newton’s restitution and Coulomb’s friction at the moment of the impact.',
+    scenes: /^(bounce|pill-impact|oblique|ricochet)/,
+  },
+  {
+    title: 'Friction',
+    text: 'Where a box stops, where a disc begins to roll, how a pill rolls on its own round end as it topples.',
+    scenes: /^(slide|roll|topple)/,
+  },
+  {
+    title: 'Stacks',
+    text: 'What stands should stand: the error is how far the furthest corner has moved.',
+    scenes: /^(stack|pyramid|mass-ratio)/,
+  },
+  {
+    title: 'Pours',
+    text: 'A pile is chaotic, so no pose of it is right or wrong. How deep chips sink into each other is.',
+    scenes: /^pour/,
+  },
+]
+
+/** Where a line is drawn that nothing goes below: rounding, or a pile at rest. */
+const floors: Record<string, number> = { weights: 1e-4, px: 1e-9, 'px/s': 1e-9, rad: 1e-9, relative: 1e-9 }
+
+export default function Benchmarks() {
+  const all = verdicts(results)
+  const lost = all.filter((verdict) => verdict.beaten.length > 0)
+  return (
+    <main id="content" className="benchmarks mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
+      <style>{highlightRules}</style>
+      <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">Run time against error</h1>
+      <div className="mt-3 max-w-3xl text-pretty text-lg text-muted-foreground leading-relaxed">
+        <p>
+          Each plot is one scene: what a frame costs to the right, how wrong it is upwards, both in powers of
+          ten. Lower and further left is better. A mark is an engine at one choice of its settings, a line
+          joins its best. The dashed edge is the frontier, the best anyone has at that price. Answers are
+          formulas, differential equations solved to 10⁻¹⁰, or, for piles, overlaps by an exact distance that
+          no engine uses.
+        </p>
+      </div>
+      <p className="mt-4 max-w-3xl text-muted-foreground text-sm leading-relaxed">
+        Measured on {results.machine.cpu}, {results.machine.cores} cores, {results.machine.memoryGB} GB,{' '}
+        {results.machine.system}, Node {results.machine.node}, on{' '}
+        <time dateTime={results.date}>
+          {new Date(results.date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
+        </time>
+        . 60 frames a second, gravity 2,600 px/s², nothing asleep. Raw data: <Download file="results.json" />,{' '}
+        <Download file="errors.csv" />, <Download file="costs.csv" />. To repeat it:{' '}
+        <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">npm run bench</code>
+      </p>
+
+      <Section id="claim" title="The claim, scene by scene">
+        <p className="max-w-3xl text-muted-foreground leading-relaxed">
+          No engine, at any setting, is both cheaper and more exact than Gravity Stack as it comes.{' '}
+          {lost.length === 0
+            ? 'It holds in every row below.'
+            : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
+          The two columns on the right ask from both sides: the most exact engine that costs no more, and the
+          cheapest that errs no more.
+        </p>
+        <div className="mt-6">
+          <Table
+            label="The claim, scene by scene"
+            head={[
+              'Scene',
+              'Error',
+              'µs a frame',
+              'Best for the same money',
+              'Cheapest as exact',
+              'Frontier',
+            ]}
+            rows={all.map(verdictRow)}
+          />
+        </div>
+      </Section>
+
+      <Section id="plots" title="Work and precision">
+        <Legend />
+        {groups.map((group) => (
+          <section key={group.title} className="mt-10">
+            <h3 className="font-semibold text-lg tracking-tight">{group.title}</h3>
+            <p className="mt-1 max-w-3xl text-muted-foreground">{group.text}</p>
+            <div className="mt-4 grid grid-cols-[minmax(0,1fr)] gap-4 md:grid-cols-2 xl:grid-cols-3">
+              {results.scenes
+                .filter((scene) => group.scenes.test(scene.name))
+                .flatMap((scene) =>
+                  scene.measures.map((measure, i) =>
+                    measure.ranked ? (
+                      <ScenePlot key={`${scene.name} ${measure.name}`} scene={scene} measure={i} />
+                    ) : null,
+                  ),
+                )}
+            </div>
+          </section>
+        ))}
+      </Section>
+
+      <Section id="pour" title="Sixty pills, all properties">
+        <p className="max-w-3xl text-muted-foreground leading-relaxed">
+          Poured from twelve seeds, each engine as it comes and at its setting with the least overlap. Overlap
+          at rest and the slowest rest are the worst of them, the others the median. A pile is at rest once no
+          chip moves faster than 7 px/s or 0.14 rad/s. The contact residual says how far forces and velocities
+          are from the laws of contact, in weights of the pile.
+        </p>
+        <div className="mt-6">
+          <Table {...pourTable} />
+        </div>
+      </Section>
+
+      <Section id="chips" title="Cost by number of chips">
+        <p className="max-w-3xl text-muted-foreground leading-relaxed">
+          Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four seconds:
+          fall, landing and rest. Each engine as it comes.
+        </p>
+        <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 lg:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
+          <SizePlot />
+          <Table {...sizeTable} />
+        </div>
+      </Section>
+
+      <Section id="weight" title="What a page has to load">
+        <p className="max-w-3xl text-muted-foreground leading-relaxed">
+          What each engine needs for these scenes, bundled, minified and gzipped, WebAssembly counted; how
+          much it takes from the heap while 60 chips move; and what a frame costs once all sleep.
+        </p>
+        <div className="mt-6">
+          <Weights />
+        </div>
+      </Section>
+
+      <Section id="device" title="On your device">
+        <p className="max-w-3xl text-muted-foreground leading-relaxed">
+          Sixty pills poured three times by Gravity Stack, Matter and Rapier at two settings each, in a worker
+          of this page. It takes about half a minute and loads Rapier’s 1.3 MB only when you start it.
+        </p>
+        <div className="mt-6">
+          <RunOnDevice />
+        </div>
+      </Section>
+
+      <Section id="fair" title="What to know before you believe it">
+        <ul className="max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
+          <li>
+            Peers run as their makers mean them to: pills are capsules where there are capsules, a hundred
+            pixels are a metre for engines that think in metres, bounce thresholds are set alike where they
+            can be.
+          </li>
+          <li>
+            Planck and p2-es have no rounded boxes, so theirs are two boxes and four circles. Matter’s rounded
+            corners are polygons. Mass and inertia are set to the true ones where an engine’s own are off;
+            Matter is measured both ways.
+          </li>
+          <li>
+            Rapier has no threshold below which bounces end, and Matter’s friction is not Coulomb’s. Both show
+            in the scenes about them.
+          </li>
+          <li>
+            “Circle chains” is the method this component’s first design described: up to three circles a chip,
+            two passes of impulses, 120 steps a second. It is written afresh for this comparison.
+          </li>
+          <li>
+            Costs are medians over rounds in which engines take turns, each in a process of its own.
+            Differences under five per cent count as none.
+          </li>
+        </ul>
+      </Section>
+    </main>
+  )
+}
+
+function Section({ id, title, children }: { id: string; title: string; children: ReactNode }) {
+  return (
+    <section className="mt-16">
+      <h2 id={id} className="mb-4 font-semibold text-2xl tracking-[-0.02em]">
+        {title}
+      </h2>
+      {children}
+    </section>
+  )
+}
+
+function Download({ file }: { file: string }) {
+  return (
+    <a
+      href={`/benchmarks/${file}`}
+      download
+      className="underline decoration-foreground/35 underline-offset-4 hover:decoration-current"
+    >
+      {file}
+    </a>
+  )
+}
+
+function verdictRow({ scene, measure, cost, error, asCheap, asExact, beaten }: Verdict): ReactNode[] {
+  const { name, unit } = scene.measures[measure]
+  const losers = [...new Set(beaten.map((point) => looks[point.engine].title))]
+  return [
+    <span key="scene">
+      {scene.title}
+      <span className="font-normal text-muted-foreground">
+        {scene.measures.length > 1 ? `: ${name}` : ''}
+      </span>
+    </span>,
+    <span key="error" className="whitespace-nowrap">{`${figure(error)} ${unit}`}</span>,
+    figure(cost),
+    asCheap ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error` : 'nobody is as cheap',
+    asExact
+      ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost`
+      : 'nobody, at any setting',
+    beaten.length === 0 ? 'ours' : <strong key="lost">{`not ours: ${losers.join(', ')}`}</strong>,
+  ]
+}
+
+/** Choosing an engine dims the others in every plot; ours stays. Nothing but CSS. */
+const highlightRules = engineOrder
+  .filter((engine) => engine !== ours)
+  .map(
+    (engine) =>
+      `.benchmarks:has(#show-${engine}:checked) svg [data-engine]:not([data-engine="${engine}"]):not([data-engine="${ours}"]){opacity:.12}`,
+  )
+  .join('')
+
+function Legend() {
+  const measured = engineOrder.filter((engine) => results.versions[engine])
+  return (
+    <fieldset className="flex flex-wrap gap-x-1 gap-y-1 rounded-xl border bg-panel p-2 text-sm">
+      <legend className="sr-only">Show one engine beside ours</legend>
+      {['all', ...measured].map((engine) => (
+        <label
+          key={engine}
+          className="flex cursor-pointer items-center gap-2 rounded-lg px-2.5 py-1.5 has-checked:bg-muted has-focus-visible:outline-2 has-focus-visible:outline-ring"
+        >
+          <input
+            type="radio"
+            name="engine"
+            id={`show-${engine}`}
+            defaultChecked={engine === 'all'}
+            className="sr-only"
+          />
+          {engine !== 'all' && (
+            <svg aria-hidden="true" viewBox="-7 -7 14 14" className="size-3.5">
+              <Marks engine={engine} places={[[0, 0]]} />
+            </svg>
+          )}
+          {engine === 'all' ? 'All' : looks[engine].title}
+          {engine !== 'all' && /\d/.test(results.versions[engine]) && (
+            <span className="text-muted-foreground">{results.versions[engine]}</span>
+          )}
+        </label>
+      ))}
+    </fieldset>
+  )
+}
+
+function ScenePlot({ scene, measure }: { scene: Results['scenes'][number]; measure: number }) {
+  const { name, unit } = scene.measures[measure]
+  const all = points(results, scene.name, measure)
+  const lines: PlotLine[] = engineOrder.map((engine) => ({
+    engine,
+    points: all
+      .filter((point) => point.engine === engine)
+      .map(({ cost, error, setting }) => ({ x: cost, y: error, setting })),
+  }))
+  const best = frontier(all)
+  const title =
+    scene.measures.filter((other) => other.ranked).length > 1 ? `${scene.title}: ${name}` : scene.title
+  const seeds = scene.seeds > 1 ? `, ${scene.seeds} seeds` : ''
+  return (
+    <figure className="min-w-0 rounded-2xl border bg-panel p-3">
+      <figcaption className="mb-1 px-1 font-medium text-sm">
+        {title}
+        <span className="font-normal text-muted-foreground">{seeds}</span>
+      </figcaption>
+      <Plot
+        title={title}
+        lines={lines}
+        xLabel="µs a frame"
+        yLabel={`error, ${unit}`}
+        floor={floors[unit]}
+        frontier={best.map(({ cost, error }) => ({ x: cost, y: error }))}
+      />
+      <PlotTable
+        label={title}
+        unit={unit}
+        rows={[...all]
+          .sort((a, b) => a.error - b.error)
+          .map((point) => [
+            engineOrder.indexOf(point.engine),
+            settingTitle(point.setting),
+            Number.isFinite(point.error) ? Number(point.error.toPrecision(3)) : null,
+            Number(point.cost.toPrecision(3)),
+            best.includes(point) ? 1 : 0,
+          ])}
+      />
+    </figure>
+  )
+}
+
+const pourScene = results.scenes.find((scene) => scene.name === 'pour-pills-60')
+
+const pourTable = {
+  label: 'Sixty pills, all properties',
+  head: ['Engine', 'Setting', ...(pourScene?.measures.map(({ name, unit }) => `${name}, ${unit}`) ?? [])],
+  // Each engine as it comes, and at the setting that overlaps least.
+  rows: engineOrder.flatMap((engine) => {
+    const own = results.errors.filter((row) => row.engine === engine && row.scene === pourScene?.name)
+    const best = [...own].sort((a, b) => (a.errors[0] ?? 1e9) - (b.errors[0] ?? 1e9))[0]
+    return own
+      .filter((row) => row === own[0] || row === best)
+      .map((row) => [
+        looks[engine].title,
+        settingTitle(row.setting),
+        ...row.errors.map((value, i) => {
+          const never = pourScene?.measures[i].unit === 's' && (value ?? 6) > 5.9
+          return never ? 'not in 6 s' : figure(value ?? Number.POSITIVE_INFINITY)
+        }),
+      ])
+  }),
+}
+
+const defaults = results.pourCosts.filter(
+  (row) =>
+    row === results.pourCosts.find((first) => first.engine === row.engine && first.chips === row.chips),
+)
+const sizes = [...new Set(results.pourCosts.map((row) => row.chips))]
+
+function SizePlot() {
+  return (
+    <figure className="rounded-2xl border bg-panel p-3">
+      <Plot
+        title="Cost by number of chips"
+        joinAll
+        xLabel="chips, all awake"
+        yLabel="µs a frame"
+        floor={1}
+        lines={engineOrder.map((engine) => ({
+          engine,
+          points: defaults
+            .filter((row) => row.engine === engine && row.cost)
+            .map((row) => ({ x: row.chips, y: row.cost?.mean ?? Number.NaN, setting: row.setting })),
+        }))}
+      />
+    </figure>
+  )
+}
+
+const sizeTable = {
+  label: 'Cost by number of chips, µs a frame',
+  head: ['µs a frame', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
+  rows: engineOrder
+    .filter((engine) => defaults.some((row) => row.engine === engine))
+    .map((engine) => [
+      looks[engine].title,
+      ...sizes.map((size) => {
+        const row = defaults.find((candidate) => candidate.engine === engine && candidate.chips === size)
+        if (!row?.cost) return <span title={row?.reason}>–</span>
+        const own = defaults.find((candidate) => candidate.engine === ours && candidate.chips === size)?.cost
+        const ratio = own && engine !== ours ? ` (${figure(row.cost.mean / own.mean)} ×)` : ''
+        return (
+          <span
+            key={size}
+            className="whitespace-nowrap"
+            title={`95 % of frames below ${figure(row.cost.p95)} µs`}
+          >
+            {figure(row.cost.mean)}
+            <span className="text-muted-foreground">{ratio}</span>
+          </span>
+        )
+      }),
+    ]),
+}
+
+function Weights() {
+  const most = Math.max(...results.bytes.map((row) => row.gzip))
+  const engineOf = (name: string) => engineOrder.find((engine) => engine === name)
+  return (
+    <Table
+      label="Bytes, allocation and sleep"
+      head={['Engine', 'kB, gzipped', 'Heap bytes a frame', 'µs a frame, all asleep']}
+      rows={results.bytes.map((row) => {
+        const engine = engineOf(row.name)
+        return [
+          engine ? looks[engine].title : 'Gravity Stack, component and all',
+          <span key="bytes" className="flex items-center gap-3">
+            <span className="w-14 text-right">{(row.gzip / 1000).toFixed(1)}</span>
+            <span aria-hidden="true" className="block h-2.5 w-[min(24rem,30vw)]">
+              <span
+                className="block h-full min-w-0.5 rounded-sm"
+                style={{ width: `${(100 * row.gzip) / most}%`, background: `var(--${engine ?? ours})` }}
+              />
+            </span>
+          </span>,
+          engine ? figure(results.allocation[engine]) : '–',
+          engine ? figure(results.asleep[engine]) : '0, not called',
+        ]
+      })}
+    />
+  )
+}

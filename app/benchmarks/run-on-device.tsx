@@ -1,0 +1,120 @@
+'use client'
+
+import { useEffect, useRef, useState } from 'react'
+import { figure, looks, settingTitle } from './engines'
+import { Marks, Plot } from './plot'
+import type { DeviceNews, DevicePoint } from './run-worker'
+import { Table } from './table'
+
+type Progress = { done: number; total: number; engine: string }
+
+export function RunOnDevice() {
+  const worker = useRef<Worker | null>(null)
+  const [state, setState] = useState<'idle' | 'running' | 'done' | 'failed'>('idle')
+  const [progress, setProgress] = useState<Progress | null>(null)
+  const [points, setPoints] = useState<DevicePoint[]>([])
+
+  const stop = () => {
+    worker.current?.terminate()
+    worker.current = null
+  }
+  useEffect(() => () => worker.current?.terminate(), [])
+
+  const start = () => {
+    stop()
+    setPoints([])
+    setProgress(null)
+    setState('running')
+    const started = new Worker(new URL('./run-worker.ts', import.meta.url), { type: 'module' })
+    worker.current = started
+    started.onmessage = ({ data }: MessageEvent<DeviceNews>) => {
+      if (data.kind === 'progress') setProgress(data)
+      if (data.kind === 'point') setPoints((before) => [...before, data.point])
+      if (data.kind === 'done') {
+        setState('done')
+        stop()
+      }
+    }
+    started.onerror = () => {
+      setState('failed')
+      stop()
+    }
+  }
+
+  const cancel = () => {
+    stop()
+    setState('idle')
+  }
+
+  return (
+    <div data-state={state}>
+      <div className="flex flex-wrap items-center gap-4">
+        <button
+          type="button"
+          onClick={state === 'running' ? cancel : start}
+          className="rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
+        >
+          {state === 'running' ? 'Cancel' : points.length > 0 ? 'Run again' : 'Run on this device'}
+        </button>
+        {state === 'running' && (
+          <>
+            <progress
+              aria-label="Benchmark"
+              max={progress?.total ?? 1}
+              value={progress?.done ?? 0}
+              className="h-2 w-48 accent-(--gravity-stack)"
+            />
+            <span className="text-muted-foreground text-sm">
+              {progress ? looks[progress.engine].title : 'Loading'}
+            </span>
+          </>
+        )}
+        <p role="status" className="text-muted-foreground text-sm">
+          {state === 'done' && 'Done.'}
+          {state === 'failed' && 'The worker could not be started in this browser.'}
+        </p>
+      </div>
+      {points.length > 0 && (
+        <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 md:grid-cols-2 xl:max-w-5xl">
+          {(['rest', 'during'] as const).map((measure) => {
+            const title = measure === 'rest' ? 'Overlap at rest' : 'Overlap during the pour'
+            return (
+              <figure key={measure} className="min-w-0 rounded-2xl border bg-panel p-3">
+                <figcaption className="mb-1 px-1 font-medium text-sm">{title}</figcaption>
+                <Plot
+                  title={title}
+                  xLabel="µs a frame"
+                  yLabel="px"
+                  lines={['gravity-stack', 'matter-js', 'rapier'].map((engine) => ({
+                    engine,
+                    points: points
+                      .filter((point) => point.engine === engine)
+                      .map((point) => ({ x: point.cost, y: point[measure], setting: point.setting })),
+                  }))}
+                />
+              </figure>
+            )
+          })}
+          <div className="min-w-0 md:col-span-2">
+            <Table
+              label="Results of this device"
+              head={['Engine', 'Setting', 'µs', 'At rest, px', 'During, px']}
+              rows={points.map((point) => [
+                <span key="engine" className="flex items-center gap-2">
+                  <svg aria-hidden="true" viewBox="-7 -7 14 14" className="size-3.5 shrink-0">
+                    <Marks engine={point.engine} places={[[0, 0]]} />
+                  </svg>
+                  {looks[point.engine].title}
+                </span>,
+                settingTitle(point.setting),
+                figure(point.cost),
+                figure(point.rest),
+                figure(point.during),
+              ])}
+            />
+          </div>
+        </div>
+      )}
+    </div>
+  )
+}

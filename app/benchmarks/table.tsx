@@ -1,0 +1,43 @@
+import type { ReactNode } from 'react'
+
+/** A table that scrolls by itself when the page is narrower. The first cell of a row names it. */
+export function Table({ label, head, rows }: { label: string; head: ReactNode[]; rows: ReactNode[][] }) {
+  return (
+    // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
+    // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
+    <div role="region" aria-label={label} tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
+      <table className="w-full text-left text-sm">
+        <thead>
+          <tr className="border-b text-muted-foreground">
+            {head.map((cell, i) => (
+              // biome-ignore lint/suspicious/noArrayIndexKey: columns keep their place
+              <th key={i} scope="col" className="whitespace-nowrap px-3 py-2.5 font-medium">
+                {cell}
+              </th>
+            ))}
+          </tr>
+        </thead>
+        <tbody>
+          {rows.map((row, i) => (
+            // biome-ignore lint/suspicious/noArrayIndexKey: rows keep their place
+            <tr key={i} className="border-b align-baseline last:border-0">
+              {row.map((cell, j) =>
+                j === 0 ? (
+                  // biome-ignore lint/suspicious/noArrayIndexKey: columns keep their place
+                  <th key={j} scope="row" className="min-w-36 px-3 py-2 font-medium">
+                    {cell}
+                  </th>
+                ) : (
+                  // biome-ignore lint/suspicious/noArrayIndexKey: columns keep their place
+                  <td key={j} className="px-3 py-2 tabular-nums">
+                    {cell}
+                  </td>
+                ),
+              )}
+            </tr>
+          ))}
+        </tbody>
+      </table>
+    </div>
+  )
+}

@@ -1,0 +1,46 @@
+import { readFileSync } from 'node:fs'
+import { expect, test } from '@playwright/test'
+
+test.describe('benchmarks', () => {
+  test('every plot has its figures as a table', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const figures = page.locator('figure').filter({ has: page.locator('summary') })
+    const count = await figures.count()
+    expect(count).toBeGreaterThan(20)
+    for (const at of [0, count - 1]) {
+      const figure = figures.nth(at)
+      await expect(figure.getByRole('img')).toHaveAccessibleName(/logarithmic/)
+      await figure.locator('summary').click()
+      await expect(figure.getByRole('row').nth(3)).toBeVisible()
+    }
+  })
+
+  test('one engine can be picked out with the keyboard', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const marks = (engine: string) => page.locator(`figure svg [data-engine=${engine}]`).first()
+    await page.getByRole('radio', { name: 'All' }).focus()
+    await page.getByRole('radio', { name: /^Rapier \d/ }).press('Space')
+    await expect(marks('rapier')).toHaveCSS('opacity', '1')
+    await expect(marks('box2d3-wasm-simd')).toHaveCSS('opacity', '0.12')
+    await expect(marks('gravity-stack')).toHaveCSS('opacity', '1')
+  })
+
+  test('the raw data is there to take', async ({ request }) => {
+    const response = await request.get('/benchmarks/errors.csv')
+    expect(response.ok()).toBe(true)
+    expect(await response.text()).toBe(readFileSync('bench/results/errors.csv', 'utf8'))
+  })
+
+  test('a visitor can run it, stop it and run it again', async ({ page }) => {
+    test.slow()
+    await page.goto('/benchmarks')
+    await page.getByRole('button', { name: 'Run on this device' }).click()
+    await expect(page.getByRole('progressbar', { name: 'Benchmark' })).toBeVisible()
+    await page.getByRole('button', { name: 'Cancel' }).click()
+    await expect(page.getByRole('progressbar', { name: 'Benchmark' })).toBeHidden()
+    await page.getByRole('button', { name: /^Run/ }).click()
+    await expect(page.getByRole('status').filter({ hasText: 'Done.' })).toBeVisible({ timeout: 150_000 })
+    const table = page.getByRole('region', { name: 'Results of this device' })
+    await expect(table.getByRole('row')).toHaveCount(7)
+  })
+})
