@@ -23,7 +23,8 @@ import {
   toQuery,
 } from '@/lib/playground'
 import { CopyButton } from './copy-button'
-import { drawChip, drawLine, paletteOf } from './lab/draw'
+import { chipColours, drawChip, drawLine, paletteOf } from './lab/draw'
+import { islandsOf } from './lab/islands-of'
 import { createPile, type Pile } from './lab/pile'
 import { LiveCode } from './live-code'
 
@@ -99,10 +100,14 @@ export function Playground() {
     const context = element.getContext('2d')!
     context.scale(scale, scale)
     const palette = paletteOf(element)
-    ids.forEach((id, chip) => {
-      const state = world.read(id)
-      const colour = state.asleep ? palette.muted : palette.alarm
-      drawChip(context, sizes[chip], state, { stroke: colour, dash: state.asleep ? [3, 3] : [] })
+    const states = ids.map((id) => world.read(id))
+    const islands = islandsOf(sizes, states)
+    states.forEach((state, chip) => {
+      const colour = state.asleep ? palette.muted : chipColours[islands[chip] % chipColours.length]
+      context.globalAlpha = 0.75
+      drawChip(context, sizes[chip], state, { fill: colour })
+      context.globalAlpha = 1
+      drawChip(context, sizes[chip], state, { stroke: palette.foreground, dash: state.asleep ? [3, 3] : [] })
       drawLine(
         context,
         [state.x, state.y],
@@ -266,6 +271,7 @@ export function Playground() {
               <span className={className}>{word}</span>
             </div>
           ))}
+          {/* Hulls by island, grey while asleep; centres; velocities, a tenth of a second long. */}
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
         <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">

@@ -1,17 +1,15 @@
 'use client'
 
-import { chipDistance } from '@/scenes/exact-distance'
 import { pourChips, pourStage } from '@/scenes/piles'
 import { chipColours, drawChip, drawLine, drawText } from './draw'
 import { Figure, Value } from './figure'
+import { islandsOf } from './islands-of'
 import { record, type State } from './record'
 import { useLazy } from './use-lazy'
 
 const count = 13
 const stage = { width: 640, height: pourStage(30).height }
 const frames = 321
-/** px, gap below which two chips count as touching here. */
-const touch = 0.2
 const graphHeight = 56
 
 const poured = pourChips('mixed', count, 6).map((chip) => ({
@@ -19,21 +17,6 @@ const poured = pourChips('mixed', count, 6).map((chip) => ({
   x: (chip.x / pourStage(count).width) * 600 + 20,
 }))
 const late = { chip: { width: 92, height: 34, radius: 17, x: 130, y: -40, angle: 0.4, spin: 1 }, at: 190 }
-
-/** For every chip the lowest number among those it touches, at any remove: chips with one number are an island. */
-function islandsOf(chips: typeof poured, states: State[]) {
-  const root = states.map((_, i) => i)
-  const find = (i: number): number => (root[i] === i ? i : find(root[i]))
-  for (let i = 0; i < states.length; i++) {
-    for (let j = 0; j < i; j++) {
-      if (Math.hypot(states[i].x - states[j].x, states[i].y - states[j].y) > 140) continue
-      if (chipDistance(chips[i], states[i], chips[j], states[j]) > touch) continue
-      const [a, b] = [find(i), find(j)]
-      root[Math.max(a, b)] = Math.min(a, b)
-    }
-  }
-  return states.map((_, i) => find(i))
-}
 
 const awake = (states: State[]) => states.filter((state) => !state.asleep).length
 
