@@ -20,7 +20,7 @@ import {
   ScenesFigure,
   SubstepsFigure,
 } from './lab'
-import { PropsTable } from './props-table'
+import { ActionsTable, PropsTable } from './props-table'
 import { ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
@@ -65,6 +65,7 @@ const components: Record<string, unknown> = {
     <th scope="col" className="border-b px-4 py-2.5 font-medium text-muted-foreground" {...props} />
   ),
   td: (props: ComponentProps<'td'>) => <td className="min-w-28 px-4 py-2.5 align-baseline" {...props} />,
+  ActionsTable,
   Changelog: () => <Changelog components={components as never} />,
   Command,
   AddCommand: ({ name }: { name: string }) => (

@@ -1,4 +1,4 @@
-import { readProps } from '@/lib/props'
+import { readActions, readProps } from '@/lib/props'
 import { ScrollTable } from './scroll-table'
 
 /** Generated from the JSDoc of `GravityStackProps` at build time. */
@@ -32,6 +32,34 @@ export function PropsTable() {
               {prop.fallback ?? '–'}
             </td>
             <td className="min-w-56 px-4 py-3">{prop.description}</td>
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
+  )
+}
+
+/** Generated from the JSDoc of `GravityStackActions` at build time. */
+export function ActionsTable() {
+  return (
+    <ScrollTable label="Actions">
+      <thead>
+        <tr className="border-b text-muted-foreground">
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            Action
+          </th>
+          <th scope="col" className="px-4 py-2.5 font-medium">
+            What it does
+          </th>
+        </tr>
+      </thead>
+      <tbody>
+        {readActions().map((action) => (
+          <tr key={action.name} className="border-b align-baseline last:border-0">
+            <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
+              {action.name}()
+            </th>
+            <td className="px-4 py-3">{action.description}</td>
           </tr>
         ))}
       </tbody>

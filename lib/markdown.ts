@@ -1,7 +1,7 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { siteUrl } from '@/site.config.mjs'
-import { readProps } from './props'
+import { readActions, readProps } from './props'
 import { changelog, exampleSource } from './source'
 
 const fence = (lang: string, code: string, title?: string) =>
@@ -9,6 +9,12 @@ const fence = (lang: string, code: string, title?: string) =>
 
 /** What each component of a page becomes in Markdown; '' for what only a browser can show. */
 const parts: Record<string, (attributes: Record<string, string>) => string> = {
+  ActionsTable: () =>
+    [
+      '| Action | What it does |',
+      '| --- | --- |',
+      ...readActions().map(({ name, description }) => `| \`${name}()\` | ${description} |`),
+    ].join('\n'),
   AddCommand: ({ name }) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`),
   Changelog: changelog,
   Command: ({ add, run }) => fence('bash', add ? `npm install ${add}` : `npx ${run}`),

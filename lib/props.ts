@@ -32,3 +32,11 @@ export function readProps(): Prop[] {
     }
   })
 }
+
+/** The actions that `actionsRef` hands out, from the JSDoc of `GravityStackActions`. */
+export function readActions(): { name: string; description: string }[] {
+  const body = componentSource().match(/export interface GravityStackActions \{\n([\s\S]*?)\n\}/)?.[1]
+  const actions = [...(body ?? '').matchAll(/\/\*\* (.+?) \*\/\s+(\w+): \(\) => void/g)]
+  if (actions.length === 0) throw new Error(`${componentFile} exports no documented GravityStackActions`)
+  return actions.map(([, description, name]) => ({ name, description }))
+}
