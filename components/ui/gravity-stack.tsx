@@ -2299,7 +2299,7 @@ function sweep(
       (gap1 > 0 ? (l1 > 0 ? CLOSING * gap1 * perH : gap1 * perH + d[k + SLACK]) : 0)
     const k11 = d[k + K11]
     // A body on its way out, as after an impact, needs no push.
-    if (push && gap1 < -SLOP && (w1 <= 0 || gap1 + w1 * h < -SLOP)) part(s, d, k, a, b, gap1, 0)
+    if (push && gap1 < -SLOP && (w1 <= 0 || gap1 + w1 * h < -SLOP)) part(bodies, s, d, k, a, b, gap1, 0)
     let p1: number
     let normal: number
     let load: number
@@ -2325,7 +2325,7 @@ function sweep(
         nb2 * spinB -
         na2 * spinA +
         (gap2 > 0 ? (l2 > 0 ? CLOSING * gap2 * perH : gap2 * perH + d[k + SLACK]) : 0)
-      if (push && gap2 < -SLOP && (w2 <= 0 || gap2 + w2 * h < -SLOP)) part(s, d, k, a, b, gap2, 1)
+      if (push && gap2 < -SLOP && (w2 <= 0 || gap2 + w2 * h < -SLOP)) part(bodies, s, d, k, a, b, gap2, 1)
       const k12 = d[k + K12]
       const k22 = d[k + K22]
       const det = d[k + INV_DET]
@@ -2426,6 +2426,7 @@ function capSpeed(state: Float64Array, s: number): void {
 
 /** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal. */
 function part(
+  bodies: Bodies,
   s: Float64Array,
   d: Float64Array,
   k: number,
@@ -2444,6 +2445,9 @@ function part(
   s[b + X] += d[k + NX] * pb
   s[b + Y] += d[k + NY] * pb
   s[b + ANGLE] += s[b + INV_INERTIA] * (point === 0 ? d[k + NB1] : d[k + NB2]) * p
+  // A push is a way gone too: else a chip pushed far, by a wall that moves in, would pass through its neighbours unseen.
+  bodies.motion[(a / STATE) * MOTION + WAY] += 2 * pa
+  bodies.motion[(b / STATE) * MOTION + WAY] += 2 * pb
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
@@ -2462,7 +2466,7 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
     const ny = d[k + NY]
     const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
     const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-    if (gap1 < -SLOP) part(s, d, k, a, b, gap1, 0)
+    if (gap1 < -SLOP) part(bodies, s, d, k, a, b, gap1, 0)
     if (points > 1) {
       const gap2 =
         d[k + BASE2] +
@@ -2470,7 +2474,7 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
         ny * (s[b + Y] - s[a + Y]) +
         d[k + NB2] * s[b + ANGLE] -
         d[k + NA2] * s[a + ANGLE]
-      if (gap2 < -SLOP) part(s, d, k, a, b, gap2, 1)
+      if (gap2 < -SLOP) part(bodies, s, d, k, a, b, gap2, 1)
     }
   }
 }
