@@ -53,7 +53,7 @@ export function ScenesFigure() {
         ))
       }
     >
-      <div className="flex min-w-0 flex-1 flex-col gap-1.5">
+      <div className="flex min-w-0 flex-1 basis-64 flex-col gap-1.5">
         <label htmlFor={`${id}-scene`}>Scene</label>
         <select
           id={`${id}-scene`}
