@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import type { Setting } from './engine'
 import { frontier, type Point, type Results, verdicts } from './report'
 
 const point = (engine: string, cost: number, error: number): Point => ({ engine, setting: {}, cost, error })
@@ -6,7 +7,7 @@ const point = (engine: string, cost: number, error: number): Point => ({ engine,
 function resultsOf(
   rows: [engine: string, knob: number | null, cost: number, error: number | null][],
 ): Results {
-  const setting = (knob: number | null) => (knob === null ? {} : { substeps: knob })
+  const setting = (knob: number | null): Setting => (knob === null ? {} : { substeps: knob })
   const scene = 'slide'
   return {
     date: '',
