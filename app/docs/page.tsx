@@ -1,6 +1,6 @@
 import type { Metadata } from 'next'
 import Link from 'next/link'
-import { docs, navigation } from '@/lib/docs'
+import { navigation } from '@/lib/docs'
 
 export const metadata: Metadata = {
   title: 'Docs',
@@ -8,8 +8,6 @@ export const metadata: Metadata = {
     'All pages of the Gravity Stack docs: setting up, the component, how its solver works and what is measured.',
   alternates: { canonical: '/docs' },
 }
-
-const descriptions = new Map(docs.map((doc) => [`/docs/${doc.slug}`, doc.description]))
 
 export default function Docs() {
   return (
@@ -26,9 +24,7 @@ export default function Docs() {
               <li key={page.href}>
                 <Link href={page.href} className="block px-5 py-4 transition-colors hover:bg-muted">
                   <span className="font-medium">{page.title}</span>
-                  <span className="mt-1 block text-muted-foreground text-sm">
-                    {descriptions.get(page.href)}
-                  </span>
+                  <span className="mt-1 block text-muted-foreground text-sm">{page.description}</span>
                 </Link>
               </li>
             ))}
