@@ -8,6 +8,7 @@ for (const chips of [12, 40, 60]) {
     expect(new Set(await stage.states())).toEqual(new Set(['resting']))
     expect(await stage.probe((probe) => probe.settling)).toBeLessThan(6)
     expect(await stage.overlap()).toBeLessThan(1)
+    expect(await stage.hovering()).toBeLessThan(0.5)
     expect(await stage.during('frames')).toBe(0)
     expect(await stage.during('styleWrites')).toBe(0)
   })
@@ -66,5 +67,6 @@ test('chips collide as what they look like: pills, boxes, rounded boxes, discs',
   for (const shape of ['pill', 'box', 'rounded', 'disc', 'tall']) {
     await stage.settled('pile', { shape, chips: 20 })
     expect(await stage.overlap(), shape).toBeLessThan(1)
+    expect(await stage.hovering(), shape).toBeLessThan(0.5)
   }
 })

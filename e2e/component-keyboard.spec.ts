@@ -54,6 +54,17 @@ test('focus that lands on a chip still waiting out of sight brings it in at once
   await expect(page.getByText('a button')).toBeInViewport()
 })
 
+test('focus that jumps into a stage far down the page brings the stage into view and its chips down', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 3000 })
+  await page.getByText('a button').focus()
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting', { timeout: 20_000 })
+  await expect(page.getByText('a button')).toBeInViewport()
+})
+
 test('the order in which a screen reader reads is the order of the children, falling or piled', async ({
   stage,
 }) => {

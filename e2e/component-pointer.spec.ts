@@ -42,13 +42,23 @@ test('a tossed chip flies on, comes down and settles', async ({ stage, page }) =
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
-test('a chip that is only carried and put down does not fly off', async ({ stage, page }) => {
+test('a chip that is carried and let go falls straight down: no flight, no hop', async ({ stage, page }) => {
   await stage.settled('pile', { chips: 3 })
   const chip = stage.chips.nth(0)
   await stage.drag(chip, 0, -100)
   await stage.hangs(chip)
-  const { x } = await stage.centre(chip)
+  const { x, y } = await stage.centre(chip)
+  const highest = chip.evaluate(async (element) => {
+    let top = Number.POSITIVE_INFINITY
+    while (element.dataset.state !== 'resting') {
+      const box = element.getBoundingClientRect()
+      top = Math.min(top, box.y + box.height / 2)
+      await window.probe.pass(1)
+    }
+    return top
+  })
   await page.mouse.up()
+  expect(y - (await highest)).toBeLessThan(4)
   await stage.reaches('resting')
   expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(60)
 })

@@ -3532,6 +3532,7 @@ function createStage(root: HTMLElement): Stage {
     collect()
     stillChanged()
     listen()
+    focus({ target: (root.getRootNode() as Document).activeElement })
   }
 
   function listen() {
@@ -3562,12 +3563,12 @@ function createStage(root: HTMLElement): Stage {
     if (event.cancelable && chipAt(event.target as Node)?.state === 'held') event.preventDefault()
   }
 
-  function focus({ target }: FocusEvent) {
+  function focus({ target }: { target: EventTarget | null }) {
     const chip = chipAt(target as Node)
     if (!chip) return
     toFront(chip)
     // Nobody can use what still waits out of sight.
-    if (!queue.includes(chip)) return
+    if (chip.id >= 0) return
     root.scrollIntoView({ block: 'nearest' })
     started = true
     chip.due = clock
@@ -3590,6 +3591,9 @@ function createStage(root: HTMLElement): Stage {
 
   function down(event: PointerEvent) {
     swallowClick = false
+    // Its last release was lost: to a dialog, another frame.
+    const lost = presses.get(event.pointerId)
+    if (lost) letGo(lost)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
     if ((event.target as Element).closest(EDITABLE)) return
@@ -3761,8 +3765,14 @@ export interface GravityStackActions {
   resume: () => void
 }
 
+/**
+ * Numbers out of range are brought into it, and what is no number counts as left out; in development a warning says so.
+ */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
-  /** The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. */
+  /**
+   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with; one without
+   * a size waits until it has one.
+   */
   children?: React.ReactNode
   /**
    * Downward acceleration, px/s².
@@ -3859,7 +3869,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
     'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
     '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
     interactive &&
-      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
+      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
   )
   return (
     <div

@@ -14,8 +14,14 @@ export interface GravityStackActions {
   resume: () => void
 }
 
+/**
+ * Numbers out of range are brought into it, and what is no number counts as left out; in development a warning says so.
+ */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
-  /** The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. */
+  /**
+   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with; one without
+   * a size waits until it has one.
+   */
   children?: React.ReactNode
   /**
    * Downward acceleration, px/s².
@@ -112,7 +118,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
     'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
     '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
     interactive &&
-      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto',
+      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
   )
   return (
     <div

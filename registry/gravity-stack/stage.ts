@@ -416,6 +416,7 @@ export function createStage(root: HTMLElement): Stage {
     collect()
     stillChanged()
     listen()
+    focus({ target: (root.getRootNode() as Document).activeElement })
   }
 
   function listen() {
@@ -446,12 +447,12 @@ export function createStage(root: HTMLElement): Stage {
     if (event.cancelable && chipAt(event.target as Node)?.state === 'held') event.preventDefault()
   }
 
-  function focus({ target }: FocusEvent) {
+  function focus({ target }: { target: EventTarget | null }) {
     const chip = chipAt(target as Node)
     if (!chip) return
     toFront(chip)
     // Nobody can use what still waits out of sight.
-    if (!queue.includes(chip)) return
+    if (chip.id >= 0) return
     root.scrollIntoView({ block: 'nearest' })
     started = true
     chip.due = clock
@@ -474,6 +475,9 @@ export function createStage(root: HTMLElement): Stage {
 
   function down(event: PointerEvent) {
     swallowClick = false
+    // Its last release was lost: to a dialog, another frame.
+    const lost = presses.get(event.pointerId)
+    if (lost) letGo(lost)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
     if ((event.target as Element).closest(EDITABLE)) return
