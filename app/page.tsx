@@ -19,7 +19,7 @@ export default function Home() {
     <main id="content" className="mx-auto w-full max-w-[80rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
         <Hero snippets={snippets}>
-          <div className="flex min-h-[min(42rem,calc(100svh-10rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-56 max-sm:[@media(scripting:none)]:pb-[28rem]">
+          <div className="flex min-h-[min(42rem,calc(100svh-15rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-52 max-sm:[@media(scripting:none)]:pb-[28rem]">
             <h1 className="text-balance font-semibold text-5xl tracking-[-0.045em] sm:text-7xl">
               Words with weight
             </h1>

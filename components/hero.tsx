@@ -33,7 +33,7 @@ const chips: [words: string, tint: keyof typeof tints, shape: string][] = [
   ['copy, paste, own', 'saffron', card],
   ['same drop every time', 'mint', pill],
   ['your classes', 'tomato', pill],
-  ['keyboard first', 'azure', card],
+  ['reads in order', 'azure', card],
 ]
 
 const effects: { effect: HeroEffect; label: string }[] = [
