@@ -16,8 +16,19 @@ export function ThemeToggle() {
       }
       document.documentElement.classList.toggle('dark', system.matches)
     }
+    // Paper is white.
+    const paper = matchMedia('print')
+    let wasDark = false
+    const print = () => {
+      if (paper.matches) wasDark = document.documentElement.classList.contains('dark')
+      document.documentElement.classList.toggle('dark', wasDark && !paper.matches)
+    }
     system.addEventListener('change', follow)
-    return () => system.removeEventListener('change', follow)
+    paper.addEventListener('change', print)
+    return () => {
+      system.removeEventListener('change', follow)
+      paper.removeEventListener('change', print)
+    }
   }, [])
 
   return (

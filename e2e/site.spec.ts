@@ -127,6 +127,16 @@ test('the theme follows the system while nobody has pressed the switch', async (
   await expect(page.locator('html')).toHaveClass(/dark/)
 })
 
+test('a dark page is printed light, and is dark again afterwards', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await page.goto('/docs/setup', { waitUntil: 'networkidle' })
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('html')).not.toHaveClass(/dark/)
+  await expect(page.getByRole('navigation', { name: 'Docs' })).toBeHidden()
+  await page.emulateMedia({ media: 'screen' })
+  await expect(page.locator('html')).toHaveClass(/dark/)
+})
+
 test('the package manager and the way to install are remembered on every page', async ({ page }) => {
   await page.goto('/docs/gravity-stack')
   await page.getByRole('tab', { name: 'Manual' }).click()
