@@ -39,6 +39,13 @@ for (const kind of ['plain', 'scaled', 'rotated', 'own', 'rtl', 'scroller', 'sha
     await stage.hangs(chip)
     const at = await mark()
     expect(Math.hypot(at.x - to.x, at.y - to.y)).toBeLessThan(9)
+    if (kind === 'scroller') {
+      await page.locator('#scroller').evaluate((element) => element.scrollBy(40, 25))
+      await page.mouse.move(to.x + 1, to.y)
+      await stage.hangs(chip)
+      const scrolled = await mark()
+      expect(Math.hypot(scrolled.x - to.x - 1, scrolled.y - to.y)).toBeLessThan(9)
+    }
     await page.mouse.up()
     await stage.reaches('resting')
   })
