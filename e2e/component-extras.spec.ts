@@ -10,9 +10,16 @@ test('ref, native props and style reach the stage', async ({ stage, page }) => {
   await expect(page.locator('#tag')).toHaveText('stage gravity-stack')
 })
 
-test('onSettle is called once each time the pile comes to rest', async ({ stage, page }) => {
+test('onSettle is called once each time the pile comes to rest, and for nothing else', async ({
+  stage,
+  page,
+}) => {
   await stage.settled('extras')
   await expect(page.locator('#settled')).toHaveText('1')
+  await page.emulateMedia({ media: 'print' })
+  await stage.reaches('static')
+  await page.emulateMedia({ media: 'screen' })
+  await stage.reaches('resting')
   await stage.drag(stage.chips.nth(0), 30, -80)
   await page.mouse.up()
   await stage.reaches('running')

@@ -105,3 +105,31 @@ test('a stage unmounted in mid-fall leaves no frame and no timer behind', async 
   expect(await stage.during('frames')).toBe(0)
   expect(await stage.probe((probe) => probe.timers)).toBe(0)
 })
+
+test('the browser keeps no node and no listener of a stage that has gone', async ({ stage, page }) => {
+  await stage.settled('mounts')
+  const session = await page.context().newCDPSession(page)
+  await session.send('Performance.enable')
+  const kept = async () => {
+    await session.send('HeapProfiler.collectGarbage')
+    const { metrics } = await session.send('Performance.getMetrics')
+    const of = (name: string) => metrics.find((metric) => metric.name === name)!.value
+    return { nodes: of('Nodes'), listeners: of('JSEventListeners') }
+  }
+  const cycle = (times: number) =>
+    page.evaluate(async (times) => {
+      for (let i = 0; i < 2 * times; i++) {
+        document.getElementById('toggle')!.click()
+        await window.probe.pass(i % 2 ? 4 : 1)
+      }
+    }, times)
+  // React itself keeps the last tree it has dropped.
+  await cycle(3)
+  await stage.reaches('resting')
+  const before = await kept()
+  await cycle(40)
+  await stage.reaches('resting')
+  const after = await kept()
+  expect(after.nodes - before.nodes).toBeLessThan(30)
+  expect(after.listeners - before.listeners).toBeLessThan(5)
+})
