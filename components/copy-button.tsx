@@ -40,7 +40,7 @@ export function CopyButton({
         await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
       } else {
         const shown = Array.from(button.closest('.code')?.querySelectorAll('pre') ?? []).find(
-          (pre) => pre.checkVisibility?.() ?? true,
+          (pre) => pre.checkVisibility?.({ visibilityProperty: true }) ?? true,
         )
         await navigator.clipboard.writeText(text ?? shown?.textContent ?? '')
       }

@@ -184,6 +184,14 @@ test.describe('with a clipboard', () => {
     expect(await clipboard(page)).toBe(readFileSync('components/ui/gravity-stack.tsx', 'utf8'))
   })
 
+  test('copies the code that belongs to the pressed button', async ({ page }) => {
+    await page.goto('/')
+    await page.getByRole('button', { name: 'Bouncier' }).click()
+    await page.getByRole('button', { name: 'Copy code' }).click()
+    await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
+    expect(await clipboard(page)).toContain('bounce={0.7}')
+  })
+
   test('copies a page as Markdown', async ({ page }) => {
     await page.goto('/docs/setup')
     await page.getByRole('button', { name: 'Copy page as Markdown' }).click()
