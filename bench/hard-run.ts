@@ -1,0 +1,164 @@
+import { createWorld } from '../registry/gravity-stack/world'
+import { chipDistance, type Pose, stageDistance, worstOverlap } from '../scenes/exact-distance'
+import type { Actor, HardFigures, HardScene } from '../scenes/hard'
+import { massOf } from '../scenes/references'
+import { type Chip, frame } from '../scenes/scene'
+
+/** Plays a hard scene with our solver, asleep when it may be, and reads off its figures. */
+export function playHardScene(scene: HardScene, seed: number): HardFigures {
+  const chips = scene.build(seed)
+  const world = createWorld({ width: scene.width, height: scene.height, ...scene.conditions })
+  const ids = chips.map((chip) => world.add(chip))
+  const alive = chips.map(() => true)
+  const stage = { width: scene.width, height: scene.height }
+  const grabs = new Map<number, { grab: ReturnType<typeof world.grab>; at: number }>()
+  let clock = 0
+  const actor: Actor = {
+    remove(chip) {
+      world.remove(ids[chip])
+      alive[chip] = false
+    },
+    resize(width, height) {
+      world.resize(width, height)
+      Object.assign(stage, { width, height })
+    },
+    hold(chip, to) {
+      const held = grabs.get(chip)
+      if (!to) {
+        held?.grab.release()
+        grabs.delete(chip)
+      } else if (held) held.grab.moveTo(to.x, to.y, clock)
+      else {
+        const { x, y } = world.read(ids[chip])
+        grabs.set(chip, { grab: world.grab(ids[chip], x, y), at: clock })
+      }
+    },
+    pose: (chip) => world.read(ids[chip]),
+  }
+
+  const masses = chips.map(massOf)
+  const read = () => ids.map((id) => world.read(id))
+  const energy = (states: ReturnType<typeof read>) =>
+    states.reduce((sum, { x, y, vx, vy, spin }, i) => {
+      if (!alive[i]) return sum
+      const { mass, inertia } = masses[i]
+      const height = scene.height - y + 0 * x
+      return (
+        sum +
+        (mass * (vx * vx + vy * vy) + inertia * spin * spin) / 2 +
+        mass * scene.conditions.gravity * height
+      )
+    }, 0)
+  const put = energy(read())
+  const figures: HardFigures = {
+    lost: 0,
+    outside: 0,
+    gain: 0,
+    loss: 0,
+    overlap: 0,
+    'overlap during': 0,
+    speed: 0,
+    drift: 0,
+    asleep: Number.POSITIVE_INFINITY,
+    hanging: 0,
+    through: 0,
+  }
+  const frames = Math.round(scene.seconds / frame)
+  const calm = Math.round((scene.calmFrom ?? 0) / frame)
+  let before = read()
+  const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
+  const living = () => chips.filter((_, i) => alive[i])
+  const posesOf = (states: Pose[]) => states.filter((_, i) => alive[i])
+  for (let k = 1; k <= frames; k++) {
+    clock = k * frame
+    scene.act?.(k, actor, seed)
+    world.step(frame)
+    const now = read()
+    for (let i = 0; i < chips.length; i++) {
+      if (!alive[i]) continue
+      const { x, y, angle, vx, vy, spin } = now[i]
+      if (!Number.isFinite(x + y + angle + vx + vy + spin)) {
+        figures.lost++
+        return figures
+      }
+      figures.speed = Math.max(figures.speed, Math.hypot(vx, vy))
+    }
+    if (watched.has('outside')) {
+      const alone = posesOf(now).map((pose, i) => worstOverlap([living()[i]], [pose], stage))
+      figures.outside = Math.max(figures.outside, ...alone)
+    }
+    if (watched.has('overlap during') && k > 1) {
+      figures['overlap during'] = Math.max(
+        figures['overlap during'],
+        worstOverlap(living(), posesOf(now), stage),
+      )
+    }
+    if (watched.has('gain')) figures.gain = Math.max(figures.gain, (energy(now) - put) / put)
+    if (scene.plate !== undefined) figures.through += crossings(scene.plate, chips, before, now)
+    if (k >= calm && world.resting && figures.asleep === Number.POSITIVE_INFINITY) {
+      figures.asleep = Math.max(0, k - calm) * frame
+    }
+    if (!world.resting) figures.asleep = Number.POSITIVE_INFINITY
+    before = now
+  }
+  figures.overlap = worstOverlap(living(), posesOf(before), stage)
+  figures.loss = Math.max(0, (put - energy(before)) / put)
+  figures.hanging = hanging(living(), posesOf(before), stage)
+  figures.drift = driftOf(chips, before)
+  return figures
+}
+
+function driftOf(chips: Chip[], states: Pose[]) {
+  return Math.max(
+    ...chips.map((chip, i) => {
+      const reach = Math.hypot(chip.width, chip.height) / 2
+      const turned = 2 * reach * Math.abs(Math.sin((states[i].angle - chip.angle) / 2))
+      return Math.hypot(states[i].x - chip.x, states[i].y - chip.y) + turned
+    }),
+  )
+}
+
+/** Chips that no chain of touching chips (0.1 px) joins to the floor. */
+function hanging(chips: Chip[], poses: Pose[], stage: { width: number; height: number }) {
+  const near = 0.1
+  const carried = new Set<number>()
+  const queue = chips.flatMap((chip, i) => (stageDistance(chip, poses[i], stage).floor < near ? [i] : []))
+  for (let i = queue.pop(); i !== undefined; i = queue.pop()) {
+    if (carried.has(i)) continue
+    carried.add(i)
+    for (let j = 0; j < chips.length; j++) {
+      if (!carried.has(j) && chipDistance(chips[i], poses[i], chips[j], poses[j]) < near) queue.push(j)
+    }
+  }
+  return chips.length - carried.size
+}
+
+/** Chips that changed sides of the plate within its height since the frame before. */
+function crossings(plate: number, chips: Chip[], before: Pose[], now: Pose[]) {
+  const local = (poses: Pose[], i: number) => {
+    const { x, y, angle } = poses[plate]
+    const c = Math.cos(angle)
+    const s = Math.sin(angle)
+    const dx = poses[i].x - x
+    const dy = poses[i].y - y
+    return { across: c * dx + s * dy, along: c * dy - s * dx }
+  }
+  return chips.filter((_, i) => {
+    if (i === plate) return false
+    const was = local(before, i)
+    const is = local(now, i)
+    const within = Math.max(Math.abs(was.along), Math.abs(is.along)) < chips[plate].height / 2
+    return within && was.across * is.across < 0
+  }).length
+}
+
+/** The worst figure of all seeds, for what the scene binds. */
+export function hardFigures(scene: HardScene, seeds = scene.seeds): Partial<HardFigures> {
+  const runs = Array.from({ length: Math.min(seeds, scene.seeds) }, (_, i) => playHardScene(scene, i + 1))
+  return Object.fromEntries(
+    (Object.keys(scene.bounds) as (keyof HardFigures)[]).map((key) => [
+      key,
+      Math.max(...runs.map((run) => run[key])),
+    ]),
+  )
+}
