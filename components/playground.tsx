@@ -86,8 +86,8 @@ export function Playground() {
   function paint() {
     const { world, ids, shapes: sizes } = pile.current!
     const elements = stage.current!.querySelectorAll<HTMLElement>('[data-chip]')
-    world.eachMoved((id, x, y, angle) => {
-      const chip = ids.indexOf(id)
+    const states = ids.map((id) => world.read(id))
+    states.forEach(({ x, y, angle }, chip) => {
       const { width, height } = sizes[chip]
       elements[chip].style.transform =
         `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
@@ -100,7 +100,6 @@ export function Playground() {
     const context = element.getContext('2d')!
     context.scale(scale, scale)
     const palette = paletteOf(element)
-    const states = ids.map((id) => world.read(id))
     const islands = islandsOf(sizes, states)
     states.forEach((state, chip) => {
       const colour = state.asleep ? palette.muted : chipColours[islands[chip] % chipColours.length]
