@@ -14,6 +14,7 @@ function resultsOf(
     machine: { cpu: '', cores: 1, memoryGB: 1, system: '', node: '' },
     versions: {},
     quick: false,
+    commit: '',
     scenes: [
       {
         name: scene,

@@ -35,6 +35,8 @@ export type Results = {
   machine: { cpu: string; cores: number; memoryGB: number; system: string; node: string }
   versions: Record<string, string>
   quick: boolean
+  /** the state of this repository */
+  commit: string
   scenes: SceneHead[]
   errors: ErrorRow[]
   sceneCosts: SceneCostRow[]

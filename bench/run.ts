@@ -4,7 +4,9 @@
 //   npm run bench -- --scene pour,stack --engine ours,planck
 //   npm run bench -- --errors         errors alone, which are kept for the next run: they never change by themselves
 //   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
+//   npm run bench -- --retry          tries again what took too long when the machine was busy
 //   npm run bench -- --fresh          forgets what an interrupted run had measured
+import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import {
   appendFileSync,
@@ -35,6 +37,7 @@ const { values: options } = parseArgs({
     quick: { type: 'boolean', default: false },
     errors: { type: 'boolean', default: false },
     out: { type: 'string' },
+    retry: { type: 'boolean', default: false },
     fresh: { type: 'boolean', default: false },
     rounds: { type: 'string', default: '3' },
   },
@@ -52,7 +55,7 @@ const wantedEngines = options.engine?.split(',').map((name) => (name === 'ours' 
 const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngines.includes(name))
 const isLarge = (scene: Scene) => /-(250|1000)$/.test(scene.name)
 /** ms of one job after which it is given up */
-const patience = 120_000
+const patience = 150_000
 
 const child = await bundleChild()
 const engines: Engine[] = []
@@ -72,6 +75,7 @@ function readCache(file: string) {
 }
 
 const done = new Map([...readCache(errorCache), ...readCache(partial)])
+if (options.retry) for (const [key, outcome] of readCache(errorCache)) if (outcome === null) done.delete(key)
 
 // What an engine's errors depend on.
 const judges = ['exact-distance', 'scene', 'seeded', 'references', 'residual', 'exact', 'piles']
@@ -146,7 +150,7 @@ const settingsFor = (engine: Engine, scene: Scene): Setting[][] => {
 }
 
 // Errors don't depend on what else the machine does: two at a time.
-const errorJobs = engines.flatMap((engine) =>
+let errorJobs = engines.flatMap((engine) =>
   chosenScenes.flatMap((scene) =>
     settingsFor(engine, scene).map((settings) => ({
       kind: 'errors' as const,
@@ -163,6 +167,15 @@ await runAll(
   2,
 )
 
+// Where all settings together took too long, each has a time of its own.
+errorJobs = errorJobs.flatMap((job) =>
+  outcomeOf(job) === null ? job.settings.map((setting) => ({ ...job, settings: [setting] })) : [job],
+)
+await runAll(
+  'errors, setting by setting',
+  errorJobs.filter((job) => job.settings.length === 1).map((job) => task(job)),
+  2,
+)
 if (options.errors) process.exit(0)
 
 // Costs: one process at a time, engines in turn, round after round.
@@ -304,6 +317,7 @@ const results: Results = {
     ]),
   ),
   quick,
+  commit: execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim(),
   scenes: chosenScenes.map(({ name, title, seeds, measures }) => ({
     name,
     title,
