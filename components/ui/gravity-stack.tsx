@@ -36,17 +36,27 @@ const MAX_SPEED = 3600
 const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
 const SUBSTEPS = 8
-/** Most velocity sweeps of a sub-step. */
-const SWEEPS = 8
+/**
+ * Most velocity sweeps of a sub-step: few while a chip of the island is faster than this, px/s, as the next sub-step sees
+ * other contacts anyway; many when what is left is to stand.
+ */
+const SWEEPS = 12
+const SWEEPS_LEAST = 2
+const SWEEPS_LIVELY = 5
+const LIVELY = 100
+/** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
+const SWEEP_BUDGET = 800
+/** Numbers set aside for the sweeps of a sub-step: a power of two, at least SWEEPS + 1. */
+const ROUNDS = 16
 /**
  * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
  */
 const TOLERANCE_SHARE = 0.01
-const TOLERANCE_LEAST = 0.02
-const TOLERANCE_MOST = 2
+const TOLERANCE_LEAST = 0.05
+const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
-const BALANCE = 0.05
+const BALANCE = 0.1
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 const SLOP = 0.004
@@ -58,8 +68,13 @@ const MAX_PUSH = 4
 const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 const MARGIN = 0.5
-/** px of motion after which a touching pair is measured again. */
-const REFRESH = 0.3
+/** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
+const REFRESH = 0.6
+const WALL_REFRESH = 0.001
+/** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
+const LOOSE = 2
+/** px; a chip that moved less in a sub-step leaves its contacts as they are until the next step. */
+const STANDING = 0.001
 /** px by which a broad-phase box is larger than its chip. */
 const SKIN = 8
 
@@ -70,7 +85,7 @@ const IMPACT_SHARE = 0.05
 const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 const IMPACT_SPREAD = 5
-const IMPACT_SPREAD_SHARE = 0.02
+const IMPACT_SPREAD_SHARE = 0.1
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
 const IMPACT_TOUCH = 0.05
 
@@ -170,6 +185,12 @@ function releasePose(
  * A chip is a core rectangle (half extents `HX`, `HY`) swept by a radius: disc, pill, rounded box and box in one family.
  */
 
+/**
+ * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one can't overflow,
+ * which saves it a check at every access.
+ */
+const INDEX = 0xffffff
+
 // Record of `state`, read by every sweep: one cache line a body.
 const X = 0
 const Y = 1
@@ -198,11 +219,7 @@ const DRIFT_ANGLE = 8
 const COS = 9
 const SIN = 10
 const TURNED = 11
-/** Length of the way that the farthest point of the body has gone: never less than its displacement. */
-const WAY = 12
-/** px that it may go in the coming sub-step. */
-const NEXT = 13
-const MOTION = 16
+const MOTION = 12
 
 // Record of `shape`.
 const HX = 0
@@ -210,7 +227,13 @@ const HY = 1
 const RADIUS = 2
 /** Distance of the farthest point from the centre. */
 const EXTENT = 3
-const SHAPE = 4
+/** Distance of the core's farthest point: turning by θ moves no point of the outline by more than this times θ. */
+const CORE = 4
+/** 1 / px², inverse square of that distance; 0 for a disc. */
+const INV_CORE2 = 5
+const SHAPE = 6
+
+const PUSHED = 2
 
 interface Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
@@ -225,6 +248,10 @@ interface Bodies {
   /** 1 while the slot holds a body. */
   alive: Uint8Array
   asleep: Uint8Array
+  /** Number of the last sweep that changed the body's velocity. */
+  stirred: Int32Array
+  /** 1 if the last sub-step moved the body noticeably, `PUSHED` if a push did since. */
+  moved: Uint8Array
 }
 
 function createBodies(): Bodies {
@@ -237,6 +264,8 @@ function createBodies(): Bodies {
     rest: new Float64Array(4),
     alive: new Uint8Array(1),
     asleep: new Uint8Array(1),
+    stirred: new Int32Array(1),
+    moved: new Uint8Array(1),
   }
   bodies.motion[COS] = 1
   return bodies
@@ -259,6 +288,8 @@ function reserveBodies(bodies: Bodies, slots: number): void {
   bodies.rest = grown(bodies.rest, capacity * 4)
   bodies.alive = grown(bodies.alive, capacity)
   bodies.asleep = grown(bodies.asleep, capacity)
+  bodies.stirred = grown(bodies.stirred, capacity)
+  bodies.moved = grown(bodies.moved, capacity)
 }
 
 /**
@@ -280,19 +311,22 @@ function setShape(
   bodies.shape[s + HX] = hx
   bodies.shape[s + HY] = hy
   bodies.shape[s + RADIUS] = r
-  bodies.shape[s + EXTENT] = Math.sqrt(hx * hx + hy * hy) + r
+  const core = hx * hx + hy * hy
+  bodies.shape[s + CORE] = Math.sqrt(core)
+  bodies.shape[s + EXTENT] = Math.sqrt(core) + r
+  bodies.shape[s + INV_CORE2] = core > 0 ? 1 / core : 0
 
   // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
   const corner = Math.PI * r * r
   const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
   // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
-  const core = (4 * hx * hy * (hx * hx + hy * hy)) / 3
+  const inner = (4 * hx * hy * (hx * hx + hy * hy)) / 3
   const sides = (4 * r * hy * (hy * hy + (r * r) / 4)) / 3 + 4 * r * hy * (hx + r / 2) * (hx + r / 2)
   const caps = (4 * r * hx * (hx * hx + (r * r) / 4)) / 3 + 4 * r * hx * (hy + r / 2) * (hy + r / 2)
   // A quarter disc's centre of area lies 4r/3π from its corner along each axis.
   const corners = corner * (hx * hx + hy * hy + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
   const mass = density * area
-  const inertia = density * (core + sides + caps + corners)
+  const inertia = density * (inner + sides + caps + corners)
   bodies.state[i * STATE + INV_MASS] = mass > 0 ? 1 / mass : 0
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }
@@ -476,41 +510,37 @@ function collide(bodies: Bodies, a: number, b: number): void {
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
  * In and out through one array: numbers handed over as arguments would be boxed.
  */
-const line = new Float64Array(8)
+const line = new Float64Array(10)
 const PX = 0
 const PY = 1
 const UX = 2
 const UY = 3
 const EDGE_X = 4
 const EDGE_Y = 5
-const S = 6
-const T = 7
+/** Inverse squares of the half lengths; 0 for a point. */
+const INV_UU = 6
+const INV_VV = 7
+const S = 8
+const T = 9
 function closest(): void {
   const ux = line[UX]
   const uy = line[UY]
   const vx = line[EDGE_X]
   const vy = line[EDGE_Y]
-  const uu = ux * ux + uy * uy
-  const vv = vx * vx + vy * vy
+  const invU = line[INV_UU]
+  const invV = line[INV_VV]
   const uv = ux * vx + uy * vy
   const up = ux * line[PX] + uy * line[PY]
   const vp = vx * line[PX] + vy * line[PY]
-  const det = uu * vv - uv * uv
-  let s = 0
-  let t = 0
-  if (uu > 0) {
-    s = det > TINY * uu * vv ? (up * vv - uv * vp) / det : up / uu
-    s = s > 1 ? 1 : Math.max(s, -1)
-  }
-  if (vv > 0) {
-    t = (uv * s - vp) / vv
-    t = t > 1 ? 1 : Math.max(t, -1)
-  }
-  if (uu > 0) {
-    s = (up + uv * t) / uu
-    s = s > 1 ? 1 : Math.max(s, -1)
-  }
-  line[S] = s
+  // In units of the half lengths; det is the squared sine of the angle between the two.
+  const det = 1 - uv * uv * invU * invV
+  let s = up * invU
+  if (det > 1e-9 && invV > 0) s = (s - uv * vp * invU * invV) / det
+  s = s > 1 ? 1 : Math.max(s, -1)
+  let t = (uv * s - vp) * invV
+  t = t > 1 ? 1 : Math.max(t, -1)
+  s = (up + uv * t) * invU
+  line[S] = s > 1 ? 1 : Math.max(s, -1)
   line[T] = t
 }
 
@@ -539,6 +569,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   line[UY] = uy
   line[EDGE_X] = vx
   line[EDGE_Y] = vy
+  line[INV_UU] = shape[a * SHAPE + INV_CORE2]
+  line[INV_VV] = shape[b * SHAPE + INV_CORE2]
   closest()
   const s = line[S]
   const t = line[T]
@@ -569,22 +601,23 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
       ny = -ny
     }
   } else {
-    nx /= distance
-    ny /= distance
+    const inverse = 1 / distance
+    nx *= inverse
+    ny *= inverse
   }
   touch.nx = nx
   touch.ny = ny
   if (uu > 0 && vv > 0 && (onA || onB)) {
     const rx = onA ? ux : vx
     const ry = onA ? uy : vy
-    const rr = onA ? uu : vv
+    const inverse = shape[(onA ? a : b) * SHAPE + INV_CORE2]
     const ix = onA ? vx : ux
     const iy = onA ? vy : uy
     const ox = onA ? px : -px
     const oy = onA ? py : -py
     // Along the reference, the other segment reaches from mid − half to mid + half.
-    const mid = (rx * ox + ry * oy) / rr
-    const half = (rx * ix + ry * iy) / rr
+    const mid = (rx * ox + ry * oy) * inverse
+    const half = (rx * ix + ry * iy) * inverse
     const size = half > 0 ? half : -half
     const way = half > 0 ? 1 : -1
     const own = onA ? 0 : 4
@@ -743,6 +776,9 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
     line[UY] = gy * half
     line[EDGE_X] = ex
     line[EDGE_Y] = ey
+    const ee = ex * ex + ey * ey
+    line[INV_UU] = half > 0 ? 1 / (half * half) : 0
+    line[INV_VV] = ee > 0 ? 1 / ee : 0
     closest()
     const s = line[S]
     const t = line[T]
@@ -879,42 +915,48 @@ const NY = 1
 const POINTS = 2
 const NA1 = 3
 const NB1 = 4
-const NA2 = 5
-const NB2 = 6
-/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-const TA = 7
-const TB = 8
-const BASE1 = 9
-const BASE2 = 10
 /** Accumulated impulses of a sub-step: normal of each point, friction. */
-const LOAD1 = 11
-const LOAD2 = 12
-const DRAG = 13
-/** Inverse effective masses K = J·M⁻¹·Jᵀ: both normals, their coupling; and 1 / det K, 0 where the two are nearly one. */
-const K11 = 14
-const K22 = 15
-const K12 = 16
-const INV_DET = 17
-/** Effective mass along the tangent. */
-const MASS_T = 18
-/** Lower bound of the gap plus the ways of both bodies when it was measured, px. */
-const REACH = 19
-/** Impact: wanted velocities of both points, impulses, and the last change of a normal velocity, px/s. */
-const GOAL1 = 20
-const GOAL2 = 21
-const HIT1 = 22
-const HIT2 = 23
-const HIT_T = 24
-const CHANGE = 25
+const LOAD1 = 5
+/** px/s at which a gap may close in the sub-step. */
+const CLOSING1 = 6
+/** Inverse effective mass along the normal, its inverse; those of point 2, their coupling, and 1 / det K, 0 where the two are nearly one. */
+const K11 = 7
+const MASS1 = 8
+/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
+const TA = 9
+const TB = 10
+const DRAG = 11
+const MASS_T = 12
+const NA2 = 13
+const NB2 = 14
+const LOAD2 = 15
+const CLOSING2 = 16
+const K22 = 17
+const MASS2 = 18
+const K12 = 19
+const INV_DET = 20
+/** Gap of each point at the origin of the poses. */
+const BASE1 = 21
+const BASE2 = 22
+/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
+const CLEAR = 23
+const FROM_X = 24
+const FROM_Y = 25
+const FROM_A = 26
+const FROM_B = 27
 /** Sub-steps a step when the impulses were stored. */
-const RATE = 26
-/** px/s, by how much the velocity at the end of the sub-step may exceed the one that closes the gap: half of what it gains on the way. */
-const SLACK = 27
-/** Wanted tangential velocity at the start of the sub-step, px/s: what gravity adds until the impact is taken off. */
-const GOAL_T = 28
+const RATE = 28
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 const LAG = 29
-const CONTACT = 32
+/** Impact: wanted velocities along both normals and the tangent, impulses, last change of a normal velocity, px/s. */
+const GOAL1 = 30
+const GOAL2 = 31
+const GOAL_T = 32
+const HIT1 = 33
+const HIT2 = 34
+const HIT_T = 35
+const CHANGE = 36
+const CONTACT = 40
 
 interface Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
@@ -933,6 +975,10 @@ interface Contacts {
   last: Int32Array
   /** Number of the impact phase in which the contact was taken up. */
   mark: Int32Array
+  /** Pairs measured since the count was last set to 0. */
+  measured: number
+  /** Rows visited by sweeps. */
+  rows: number
 }
 
 function createContacts(): Contacts {
@@ -947,6 +993,8 @@ function createContacts(): Contacts {
     next: new Int32Array(0),
     last: new Int32Array(0),
     mark: new Int32Array(0),
+    measured: 0,
+    rows: 0,
   }
 }
 
@@ -994,7 +1042,7 @@ function addContact(contacts: Contacts, a: number, b: number, wall: number): num
   contacts.pair[2 * c + 1] = b
   contacts.wall[c] = wall
   contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
-  contacts.data[c * CONTACT + REACH] = -Infinity
+  contacts.data[c * CONTACT + CLEAR] = -Infinity
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c
@@ -1021,8 +1069,8 @@ function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): voi
   const ny = d[k + NY]
   const x = nx * (l1 + l2) - ny * lt
   const y = ny * (l1 + l2) + nx * lt
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
   const ima = state[a * STATE + INV_MASS]
   const imb = state[b * STATE + INV_MASS]
@@ -1043,8 +1091,8 @@ function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): voi
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
  */
 function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
@@ -1063,8 +1111,13 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
-  const way = motion[a * MOTION + WAY] + motion[b * MOTION + WAY]
-  d[k + REACH] = way + (touch.count > 0 ? REFRESH : touch.gap)
+  const dx = state[b * STATE + X] - state[a * STATE + X]
+  const dy = state[b * STATE + Y] - state[a * STATE + Y]
+  d[k + CLEAR] = touch.gap
+  d[k + FROM_X] = dx
+  d[k + FROM_Y] = dy
+  d[k + FROM_A] = angleA
+  d[k + FROM_B] = angleB
   d[k + POINTS] = touch.count
   if (touch.count === 0) {
     d[k + LOAD1] = 0
@@ -1118,8 +1171,6 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const nb1 = points[BX] * ny - points[BY] * nx
   let ta = points[AX] * nx + points[AY] * ny
   let tb = points[BX] * nx + points[BY] * ny
-  const dx = state[b * STATE + X] - state[a * STATE + X]
-  const dy = state[b * STATE + Y] - state[a * STATE + Y]
   const across = nx * dx + ny * dy
   d[k + NX] = nx
   d[k + NY] = ny
@@ -1128,6 +1179,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K11] = k11
+  d[k + MASS1] = 1 / k11
   if (touch.count > 1) {
     const na2 = points[POINT + AX] * ny - points[POINT + AY] * nx
     const nb2 = points[POINT + BX] * ny - points[POINT + BY] * nx
@@ -1140,6 +1192,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
     d[k + NB2] = nb2
     d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
     d[k + K22] = k22
+    d[k + MASS2] = 1 / k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
@@ -1167,6 +1220,30 @@ function gapOf(bodies: Bodies, contacts: Contacts, c: number, second: boolean): 
   return second
     ? d[k + BASE2] + across + d[k + NB2] * s[sb + ANGLE] - d[k + NA2] * s[sa + ANGLE]
     : d[k + BASE1] + across + d[k + NB1] * s[sb + ANGLE] - d[k + NA1] * s[sa + ANGLE]
+}
+
+/** px, bound of how much the gap of contact `c` may have changed since it was measured. */
+function shift(bodies: Bodies, contacts: Contacts, c: number): number {
+  const s = bodies.state
+  const d = contacts.data
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
+  const k = c * CONTACT
+  const x = s[b * STATE + X] - s[a * STATE + X] - d[k + FROM_X]
+  const y = s[b * STATE + Y] - s[a * STATE + Y] - d[k + FROM_Y]
+  const turnA = s[a * STATE + ANGLE] - d[k + FROM_A]
+  const turnB = s[b * STATE + ANGLE] - d[k + FROM_B]
+  return (
+    Math.abs(x) +
+    Math.abs(y) +
+    bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
+    bodies.shape[b * SHAPE + CORE] * Math.abs(turnB)
+  )
+}
+
+/** px, lower bound of the present gap of contact `c`, without measuring. */
+function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
+  return contacts.data[c * CONTACT + CLEAR] - shift(bodies, contacts, c)
 }
 
 // grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
@@ -1552,55 +1629,12 @@ function advance(scene: ImpactScene, i: number, time: number, h: number): void {
   state[s + ANGLE] += state[s + SPIN] * time + motion[m + PUSH_SPIN] * half
 }
 
-/** All impacts of the contacts `list[from..to)` within the coming sub-step of `h` seconds. */
-function bounceAll(
-  impacts: Impacts,
-  scene: ImpactScene,
-  list: Int32Array,
-  from: number,
-  to: number,
-  h: number,
-): void {
-  const { contacts } = scene
-  const d = contacts.data
-  const pair = contacts.pair
-  const s = scene.bodies.state
-  const m = scene.bodies.motion
-  const fall = scene.gravity * h
+/** Empties the cluster for a new sub-step. */
+function clearImpacts(impacts: Impacts): void {
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
   impacts.fastest = 0
-  for (let i = from; i < to; i++) {
-    const c = list[i]
-    const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0) continue
-    if (d[k + LOAD1] + d[k + LOAD2] > 0) {
-      d[k + SLACK] = 0
-      continue
-    }
-    const a = pair[2 * c]
-    const b = pair[2 * c + 1]
-    const sa = a * STATE
-    const sb = b * STATE
-    const ma = a * MOTION
-    const mb = b * MOTION
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    // What `predict` asks first, for both points at once: nearly every contact ends here.
-    const gain =
-      nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) + ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (a > 0 ? 0 : fall))
-    d[k + SLACK] = -0.5 * (gain + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN])
-    const speed = nx * (s[sb + VX] - s[sa + VX]) + ny * (s[sb + VY] - s[sa + VY])
-    const spinA = s[sa + SPIN]
-    const spinB = s[sb + SPIN]
-    const v1 = speed + d[k + NB1] * spinB - d[k + NA1] * spinA - 2 * Math.abs(d[k + SLACK])
-    const v2 = points > 1 ? speed + d[k + NB2] * spinB - d[k + NA2] * spinA - 2 * Math.abs(d[k + SLACK]) : 0
-    if (v1 > -scene.threshold && v2 > -scene.threshold) continue
-    enterImpact(impacts, scene, c, h)
-  }
-  if (impacts.count > 0) resolve(impacts, scene, h)
 }
 
 /** Contact `c` joins the cluster if one of its points will hit. */
@@ -1662,15 +1696,14 @@ function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
     state[s + X] -= dx
     state[s + Y] -= dy
     state[s + ANGLE] -= by
-    bodies.motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy)
   }
 }
 
 /** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
 function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
   const k = c * CONTACT
-  const a = pair[2 * c] * STATE
-  const b = pair[2 * c + 1] * STATE
+  const a = (pair[2 * c] & INDEX) * STATE
+  const b = (pair[2 * c + 1] & INDEX) * STATE
   const nx = d[k + NX]
   const ny = d[k + NY]
   const ima = s[a + INV_MASS]
@@ -1796,7 +1829,7 @@ function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
  */
 interface Islands {
   parent: Int32Array
-  /** px that a body, and then anything in its island, may go within the step. */
+  /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array
   /** Contacts that matter in this step. */
   near: Int32Array
@@ -1806,6 +1839,8 @@ interface Islands {
   bodies: Int32Array
   bodyStart: Int32Array
   contacts: Int32Array
+  /** The same, only those that touch in the present sub-step. */
+  live: Int32Array
   contactStart: Int32Array
   /** Number of the island by root. */
   number: Int32Array
@@ -1821,6 +1856,7 @@ function createIslands(): Islands {
     bodies: new Int32Array(0),
     bodyStart: new Int32Array(0),
     contacts: new Int32Array(64),
+    live: new Int32Array(64),
     contactStart: new Int32Array(0),
     number: new Int32Array(0),
   }
@@ -1856,23 +1892,18 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/** px, bound of the present gap of contact `c`. */
-function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
-  const m = bodies.motion
-  return (
-    contacts.data[c * CONTACT + REACH] -
-    m[contacts.pair[2 * c] * MOTION + WAY] -
-    m[contacts.pair[2 * c + 1] * MOTION + WAY]
-  )
-}
-
-/** Whether contact `c` may close within the step when its bodies go `reach` px; it is measured if need be. */
-function mayTouch(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): boolean {
-  if (contacts.data[c * CONTACT + POINTS] > 0) return true
-  if (gapBound(bodies, contacts, c) > reach + MARGIN) return false
+/**
+ * px, what the gap of contact `c` may be at least. Measured again only where the bound has grown loose.
+ */
+function gapNow(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): number {
+  const k = c * CONTACT
+  if (contacts.data[k + POINTS] > 0) return -Infinity
+  const bound = gapBound(bodies, contacts, c)
+  if (bound > reach || contacts.data[k + CLEAR] - bound < LOOSE) return bound
   touch.margin = MARGIN
   measure(bodies, contacts, walls, c)
-  return touch.gap <= reach + MARGIN
+  contacts.measured++
+  return touch.gap
 }
 
 /**
@@ -1889,25 +1920,14 @@ function findIslands(
   count: number,
 ): void {
   const { parent, reach } = islands
-  const { state, motion, shape } = bodies
-  const fall = 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    const s = i * STATE
-    parent[i] = i
-    const go =
-      (Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])) *
-        STEP +
-      fall
-    reach[i] = go
-    motion[i * MOTION + NEXT] = go
+    parent[awake[n]] = awake[n]
+    reach[awake[n]] = 0
   }
   islands.nearCount = 0
-  gather(islands, bodies, contacts, walls, awake, count, false)
-  // A fast body hands its speed on: whatever it may touch may go as far, and touch others in turn.
-  gather(islands, bodies, contacts, walls, awake, count, true)
+  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
+  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
+  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -1929,7 +1949,10 @@ function findIslands(
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
   }
-  if (islands.contacts.length < nearCount) islands.contacts = new Int32Array(islands.near.length)
+  if (islands.contacts.length < nearCount) {
+    islands.contacts = new Int32Array(islands.near.length)
+    islands.live = new Int32Array(islands.near.length)
+  }
   // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
   for (let n = count - 1; n >= 0; n--) {
     const island = number[find(parent, awake[n])]
@@ -1948,40 +1971,56 @@ function findIslands(
   contactStart[islandCount] = nearCount
 }
 
+/**
+ * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
+ * may go as far as the fastest approach in its island.
+ */
 function gather(
   islands: Islands,
   bodies: Bodies,
   contacts: Contacts,
   walls: Walls,
+  gravity: number,
   awake: Int32Array,
   count: number,
   again: boolean,
 ): void {
   const { parent, reach } = islands
-  const { pair } = contacts
+  const { pair, mark } = contacts
+  const { state: s, shape, asleep } = bodies
+  const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    let mine = reach[i]
-    if (again) {
-      const root = reach[find(parent, i)]
-      if (root <= mine + 1) continue
-      mine = root
-    }
+    const i = awake[n] & INDEX
+    const mine = again ? reach[find(parent, i)] : 0
+    if (again && mine < 1) continue
+    const a = i * STATE
+    const vx = s[a + VX]
+    const vy = s[a + VY]
+    const turning = shape[i * SHAPE + CORE] * Math.abs(s[a + SPIN])
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      const j = pair[edge ^ 1] & INDEX
+      // The first round sees every pair once: from A, or from the chip at a wall.
+      if (!again && j > 0 && (edge & 1) === 1) continue
       const c = edge >> 1
-      const j = pair[edge ^ 1]
-      if (j > 0 && bodies.asleep[j] === 1) continue
-      const theirs = j === 0 ? 0 : again ? reach[find(parent, j)] : reach[j]
-      // Every pair once a round: from A, from the wall's only side, and in the second round only what the first left out.
-      if (contacts.mark[c] === -1) continue
-      if (!mayTouch(bodies, contacts, walls, c, mine + theirs)) continue
-      contacts.mark[c] = -1
+      if (mark[c] === -1 || asleep[j] === 1) continue
+      const b = j * STATE
+      const go =
+        STEP *
+        (Math.abs(s[b + VX] - vx) +
+          Math.abs(s[b + VY] - vy) +
+          turning +
+          shape[j * SHAPE + CORE] * Math.abs(s[b + SPIN]))
+      const may = go + fall + (again ? mine + (j > 0 ? reach[find(parent, j)] : 0) : 0)
+      if (gapNow(bodies, contacts, walls, c, may) > may) continue
+      mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
       islands.near[islands.nearCount++] = c
       if (j > 0) unite(parent, reach, i, j)
+      const root = find(parent, i)
+      if (go > reach[root]) reach[root] = go
     }
   }
-  if (again) for (let n = 0; n < islands.nearCount; n++) contacts.mark[islands.near[n]] = 0
+  if (again) for (let n = 0; n < islands.nearCount; n++) mark[islands.near[n]] = 0
 }
 
 /**
@@ -2217,7 +2256,11 @@ function overlap(box: Float64Array, i: number, j: number): boolean {
 
 // solver: velocity and position sweeps ──────────────────────────────────────────────────────────────────────
 
-/** Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep. */
+const ROWS = { n: 0 }
+/**
+ * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
+ * Those that move are marked as stirred for the sweep with number `round`.
+ */
 function kick(
   bodies: Bodies,
   list: Int32Array,
@@ -2226,12 +2269,14 @@ function kick(
   gravity: number,
   air: Air,
   spinAir: Air,
+  round: number,
 ): void {
-  const { state, motion } = bodies
+  const { state, motion, shape, stirred } = bodies
   const half = 0.5 * air.h
   for (let a = from; a < to; a++) {
-    const s = list[a] * STATE
-    const m = list[a] * MOTION
+    const i = list[a] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
     const vx = state[s + VX]
     const vy = state[s + VY]
     const spin = state[s + SPIN]
@@ -2243,16 +2288,155 @@ function kick(
     motion[m + DRIFT_X] = air.reach * vx + half * pushX
     motion[m + DRIFT_Y] = air.reach * vy + gravity * air.fall + half * pushY
     motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * pushSpin
-    state[s + VX] = motion[m + KICK_X] = air.fade * vx + pushX
-    state[s + VY] = motion[m + KICK_Y] = air.fade * vy + gravity * air.reach + pushY
-    state[s + SPIN] = motion[m + KICK_SPIN] = spinAir.fade * spin + pushSpin
+    const toX = air.fade * vx + pushX
+    const toY = air.fade * vy + gravity * air.reach + pushY
+    const toSpin = spinAir.fade * spin + pushSpin
+    state[s + VX] = motion[m + KICK_X] = toX
+    state[s + VY] = motion[m + KICK_Y] = toY
+    state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
+    const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
+    if (speed > BALANCE) stirred[i] = round - 1
   }
 }
 
 /**
+ * What the contacts `list[from..to)` ask of the coming sub-step of `h` seconds. Those that have moved are measured again (a
+ * wall at every move, a touching pair after `REFRESH`, others when they may meet); those that will hit join the impacts;
+ * the others learn how fast they may close. Those that touch, or are about to, are written into `live` from `from` on;
+ * returns where they end. With `again`, a contact whose bodies stood still in the last sub-step is left as it is.
+ */
+function prepare(
+  scene: ImpactScene,
+  impacts: Impacts,
+  list: Int32Array,
+  live: Int32Array,
+  from: number,
+  to: number,
+  h: number,
+  again: boolean,
+): number {
+  const { bodies, contacts } = scene
+  const d = contacts.data
+  const s = bodies.state
+  const { shape, moved } = bodies
+  const pair = contacts.pair
+  const ahead = 1.25 * h
+  const enough = scene.threshold - Math.abs(scene.gravity) * h
+  let end = from
+  for (let n = from; n < to; n++) {
+    const c = list[n] & INDEX
+    const k = c * CONTACT
+    const bodyA = pair[2 * c] & INDEX
+    const bodyB = pair[2 * c + 1] & INDEX
+    let touching = d[k + POINTS] > 0
+    if (again && moved[bodyA] === 0 && moved[bodyB] === 0) {
+      if (touching) live[end++] = c
+      continue
+    }
+    const a = bodyA * STATE
+    const b = bodyB * STATE
+    const coreA = shape[bodyA * SHAPE + CORE]
+    const coreB = shape[bodyB * SHAPE + CORE]
+    const shift =
+      Math.abs(s[b + X] - s[a + X] - d[k + FROM_X]) +
+      Math.abs(s[b + Y] - s[a + Y] - d[k + FROM_Y]) +
+      coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
+      coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
+    const vx = s[b + VX] - s[a + VX]
+    const vy = s[b + VY] - s[a + VY]
+    const spinA = s[a + SPIN]
+    const spinB = s[b + SPIN]
+    if (!touching || shift > (bodyA > 0 ? REFRESH : WALL_REFRESH)) {
+      const near =
+        MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
+      if (!touching && d[k + CLEAR] - shift > near) continue
+      touch.margin = near
+      touch.ahead = h
+      measure(bodies, contacts, scene.walls, c)
+      touch.ahead = 0
+      contacts.measured++
+      touching = touch.count > 0
+      if (!touching) continue
+    }
+    live[end++] = c
+    if (d[k + LOAD1] + d[k + LOAD2] === 0) {
+      // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
+      const speed = d[k + NX] * vx + d[k + NY] * vy + enough
+      if (
+        speed + d[k + NB1] * spinB - d[k + NA1] * spinA < 0 ||
+        (d[k + POINTS] > 1 && speed + d[k + NB2] * spinB - d[k + NA2] * spinA < 0)
+      ) {
+        enterImpact(impacts, scene, c, h)
+        if (d[k + POINTS] === 0) {
+          end--
+          continue
+        }
+      }
+    }
+    close(scene, c, h)
+  }
+  if (impacts.count === 0) return end
+  resolve(impacts, scene, h)
+  for (let n = 0; n < impacts.bodyCount; n++) {
+    for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
+      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1, h)
+    }
+  }
+  return end
+}
+
+/**
+ * How fast the gaps of contact `c` may close in the coming sub-step; one that carries a load closes slowly: less chatter.
+ * Overlap that the last move has left is taken out of the poses in passing.
+ */
+function close(scene: ImpactScene, c: number, h: number): void {
+  const { bodies, contacts } = scene
+  const s = bodies.state
+  const d = contacts.data
+  const k = (c & INDEX) * CONTACT
+  const bodyA = contacts.pair[2 * c] & INDEX
+  const bodyB = contacts.pair[2 * c + 1] & INDEX
+  const a = bodyA * STATE
+  const b = bodyB * STATE
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
+  const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
+  const gap2 =
+    d[k + POINTS] > 1 ? d[k + BASE2] + across + d[k + NB2] * s[b + ANGLE] - d[k + NA2] * s[a + ANGLE] : 0
+  let closing1 = 0
+  let closing2 = 0
+  if (gap1 > 0 || gap2 > 0) {
+    const l1 = d[k + LOAD1]
+    const l2 = d[k + LOAD2]
+    if (gap1 > 0) closing1 = (l1 > 0 ? CLOSING * gap1 : gap1) / h
+    if (gap2 > 0) closing2 = (l2 > 0 ? CLOSING * gap2 : gap2) / h
+    if (l1 + l2 === 0) {
+      // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
+      const m = bodies.motion
+      const ma = bodyA * MOTION
+      const mb = bodyB * MOTION
+      const fall = bodyA > 0 ? 0 : scene.gravity * h
+      const gain =
+        nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+        ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) +
+        d[k + NB1] * m[mb + PUSH_SPIN] -
+        d[k + NA1] * m[ma + PUSH_SPIN]
+      if (gap1 > 0) closing1 -= 0.5 * gain
+      if (gap2 > 0) closing2 -= 0.5 * gain
+    }
+  }
+  d[k + CLOSING1] = closing1
+  d[k + CLOSING2] = closing2
+  if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, h)
+  if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, h)
+}
+
+/**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load. With `push`, overlap left by the last move is
- * taken out of the poses first (`separate` in passing, as the gaps are at hand). Returns the largest change of a normal velocity, px/s.
+ * complementarity problem, by cases), then friction in the interval ±μ·load. Returns how many contacts
+ * it changed by more than `tolerance`, px/s. Visits the contacts with a body that moves, or that was stirred by as much in this round or
+ * the last.
  */
 function sweep(
   bodies: Bodies,
@@ -2260,136 +2444,126 @@ function sweep(
   list: Int32Array,
   from: number,
   to: number,
-  h: number,
   friction: number,
-  push: boolean,
+  tolerance: number,
+  round: number,
 ): number {
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
-  const perH = 1 / h
-  let most = 0
+  const stirred = bodies.stirred
+  const lull = round - 1
+  let stirs = 0
   for (let i = from; i < to; i++) {
-    const c = list[i]
+    const c = list[i] & INDEX
+    const bodyA = pair[2 * c] & INDEX
+    const bodyB = pair[2 * c + 1] & INDEX
+    if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
+    contacts.rows++
     const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0) continue
-    const a = pair[2 * c] * STATE
-    const b = pair[2 * c + 1] * STATE
+    const a = bodyA * STATE
+    const b = bodyB * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
     let spinA = s[a + SPIN]
     let spinB = s[b + SPIN]
-    const iia = s[a + INV_INERTIA]
-    const iib = s[b + INV_INERTIA]
-    const angleA = s[a + ANGLE]
-    const angleB = s[b + ANGLE]
     const vx = s[b + VX] - s[a + VX]
     const vy = s[b + VY] - s[a + VY]
-    const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
     const speed = nx * vx + ny * vy
     const na1 = d[k + NA1]
     const nb1 = d[k + NB1]
     const l1 = d[k + LOAD1]
-    const gap1 = d[k + BASE1] + across + nb1 * angleB - na1 * angleA
-    const w1 =
-      speed +
-      nb1 * spinB -
-      na1 * spinA +
-      (gap1 > 0 ? (l1 > 0 ? CLOSING * gap1 * perH : gap1 * perH + d[k + SLACK]) : 0)
-    const k11 = d[k + K11]
-    // A body on its way out, as after an impact, needs no push.
-    if (push && gap1 < -SLOP && (w1 <= 0 || gap1 + w1 * h < -SLOP)) part(bodies, s, d, k, a, b, gap1, 0)
-    let p1: number
-    let normal: number
+    const w1 = speed + nb1 * spinB - na1 * spinA + d[k + CLOSING1]
     let load: number
-    if (points === 1) {
-      p1 = l1 - w1 / k11
-      if (p1 < 0) p1 = 0
-      d[k + LOAD1] = p1
-      load = p1
-      p1 -= l1
-      normal = p1
-      spinA -= iia * na1 * p1
-      spinB += iib * nb1 * p1
-      const change = p1 * k11
-      if (change > most) most = change
-      else if (-change > most) most = -change
+    let normal: number
+    let change: number
+    if (d[k + POINTS] === 1) {
+      // ½(x + |x|) is max(0, x) without a branch, which nobody could predict here.
+      load = l1 - w1 * d[k + MASS1]
+      load = 0.5 * (load + Math.abs(load))
+      normal = load - l1
+      if (normal === 0 && load === 0) continue
+      change = Math.abs(normal) * d[k + K11]
+      d[k + LOAD1] = load
+      spinA -= s[a + INV_INERTIA] * na1 * normal
+      spinB += s[b + INV_INERTIA] * nb1 * normal
     } else {
       const na2 = d[k + NA2]
       const nb2 = d[k + NB2]
       const l2 = d[k + LOAD2]
-      const gap2 = d[k + BASE2] + across + nb2 * angleB - na2 * angleA
-      const w2 =
-        speed +
-        nb2 * spinB -
-        na2 * spinA +
-        (gap2 > 0 ? (l2 > 0 ? CLOSING * gap2 * perH : gap2 * perH + d[k + SLACK]) : 0)
-      if (push && gap2 < -SLOP && (w2 <= 0 || gap2 + w2 * h < -SLOP)) part(bodies, s, d, k, a, b, gap2, 1)
+      const w2 = speed + nb2 * spinB - na2 * spinA + d[k + CLOSING2]
+      const k11 = d[k + K11]
       const k12 = d[k + K12]
       const k22 = d[k + K22]
       const det = d[k + INV_DET]
+      // Velocities that zero impulses would leave: q + K·p ≥ 0 with p ≥ 0, one of each zero.
+      const q1 = w1 - k11 * l1 - k12 * l2
+      const q2 = w2 - k12 * l1 - k22 * l2
+      let p1: number
       let p2: number
-      if (det === 0) {
-        p1 = l1 - w1 / k11
-        if (p1 < 0) p1 = 0
-        p2 = l2 - (w2 + k12 * (p1 - l1)) / k22
-        if (p2 < 0) p2 = 0
-      } else {
-        // Velocities that zero impulses would leave: q + K·p ≥ 0 with p ≥ 0, one of each zero.
-        const q1 = w1 - k11 * l1 - k12 * l2
-        const q2 = w2 - k12 * l1 - k22 * l2
+      if (det > 0) {
         p1 = det * (k12 * q2 - k22 * q1)
         p2 = det * (k12 * q1 - k11 * q2)
-        if (p1 < 0 || p2 < 0) {
-          p1 = -q1 / k11
-          p2 = 0
-          if (p1 < 0 || q2 + k12 * p1 < 0) {
-            p1 = 0
-            p2 = -q2 / k22
-            if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
-          }
+      } else {
+        // The two points are nearly one: they take turns.
+        p1 = l1 - w1 * d[k + MASS1]
+        if (p1 < 0) p1 = 0
+        p2 = l2 - (w2 + k12 * (p1 - l1)) * d[k + MASS2]
+        if (p2 < 0) p2 = 0
+      }
+      if (p1 < 0 || p2 < 0) {
+        p1 = -q1 * d[k + MASS1]
+        p2 = 0
+        if (p1 < 0 || q2 + k12 * p1 < 0) {
+          p1 = 0
+          p2 = -q2 * d[k + MASS2]
+          if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
         }
       }
+      load = p1 + p2
+      if (load === 0 && l1 + l2 === 0) continue
       d[k + LOAD1] = p1
       d[k + LOAD2] = p2
-      load = p1 + p2
       p1 -= l1
       p2 -= l2
       normal = p1 + p2
-      spinA -= iia * (na1 * p1 + na2 * p2)
-      spinB += iib * (nb1 * p1 + nb2 * p2)
-      const change = (p1 < 0 ? -p1 : p1) * k11 + (p2 < 0 ? -p2 : p2) * k22
-      if (change > most) most = change
+      change = Math.abs(p1) * k11 + Math.abs(p2) * k22
+      spinA -= s[a + INV_INERTIA] * (na1 * p1 + na2 * p2)
+      spinB += s[b + INV_INERTIA] * (nb1 * p1 + nb2 * p2)
     }
-    const ima = s[a + INV_MASS]
-    const imb = s[b + INV_MASS]
+    if (change > tolerance) {
+      stirred[bodyA] = round
+      stirred[bodyB] = round
+      stirs++
+    }
     const ta = d[k + TA]
     const tb = d[k + TB]
     const old = d[k + DRAG]
-    let t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
     const limit = friction * load
+    let t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
     if (t > limit) t = limit
     else if (t < -limit) t = -limit
     d[k + DRAG] = t
     t -= old
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
+    const ima = s[a + INV_MASS]
+    const imb = s[b + INV_MASS]
     s[a + VX] -= ima * x
     s[a + VY] -= ima * y
-    s[a + SPIN] = spinA - iia * ta * t
+    s[a + SPIN] = spinA - s[a + INV_INERTIA] * ta * t
     s[b + VX] += imb * x
     s[b + VY] += imb * y
-    s[b + SPIN] = spinB + iib * tb * t
+    s[b + SPIN] = spinB + s[b + INV_INERTIA] * tb * t
   }
-  return most
+  return stirs
 }
 
 /** Moves the bodies `list[from..to)` through the sub-step, and keeps what the sweep changed as the next warm start. */
 function move(bodies: Bodies, list: Int32Array, from: number, to: number, h: number): void {
-  const { state, motion, shape } = bodies
+  const { state, motion, shape, moved } = bodies
   for (let a = from; a < to; a++) {
-    const i = list[a]
+    const i = list[a] & INDEX
     const s = i * STATE
     const m = i * MOTION
     const dvx = state[s + VX] - motion[m + KICK_X]
@@ -2404,11 +2578,9 @@ function move(bodies: Bodies, list: Int32Array, from: number, to: number, h: num
     state[s + X] += dx
     state[s + Y] += dy
     state[s + ANGLE] += by
-    const extent = shape[i * SHAPE + EXTENT]
-    motion[m + WAY] += Math.abs(dx) + Math.abs(dy) + extent * Math.abs(by)
+    const way = Math.abs(dx) + Math.abs(dy) + shape[i * SHAPE + CORE] * Math.abs(by)
+    moved[i] = moved[i] === PUSHED || way > STANDING ? 1 : 0
     capSpeed(state, s)
-    motion[m + NEXT] =
-      1.25 * h * (Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN]))
   }
 }
 
@@ -2424,30 +2596,36 @@ function capSpeed(state: Float64Array, s: number): void {
   }
 }
 
-/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal. */
+/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal, unless they part by themselves within `h` s. */
 function part(
   bodies: Bodies,
-  s: Float64Array,
   d: Float64Array,
   k: number,
   a: number,
   b: number,
   gap: number,
   point: number,
+  h: number,
 ): void {
-  const want = PUSH * (-SLOP - gap)
-  const p = Math.min(want, MAX_PUSH) / (point === 0 ? d[k + K11] : d[k + K22])
+  const s = bodies.state
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const na = point === 0 ? d[k + NA1] : d[k + NA2]
+  const nb = point === 0 ? d[k + NB1] : d[k + NB2]
+  const leaving =
+    nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
+  if (gap + leaving * h > -SLOP) return
+  const p = Math.min(PUSH * (-SLOP - gap), MAX_PUSH) * (point === 0 ? d[k + MASS1] : d[k + MASS2])
   const pa = s[a + INV_MASS] * p
   const pb = s[b + INV_MASS] * p
-  s[a + X] -= d[k + NX] * pa
-  s[a + Y] -= d[k + NY] * pa
-  s[a + ANGLE] -= s[a + INV_INERTIA] * (point === 0 ? d[k + NA1] : d[k + NA2]) * p
-  s[b + X] += d[k + NX] * pb
-  s[b + Y] += d[k + NY] * pb
-  s[b + ANGLE] += s[b + INV_INERTIA] * (point === 0 ? d[k + NB1] : d[k + NB2]) * p
-  // A push is a way gone too: else a chip pushed far, by a wall that moves in, would pass through its neighbours unseen.
-  bodies.motion[(a / STATE) * MOTION + WAY] += 2 * pa
-  bodies.motion[(b / STATE) * MOTION + WAY] += 2 * pb
+  s[a + X] -= nx * pa
+  s[a + Y] -= ny * pa
+  s[a + ANGLE] -= s[a + INV_INERTIA] * na * p
+  s[b + X] += nx * pb
+  s[b + Y] += ny * pb
+  s[b + ANGLE] += s[b + INV_INERTIA] * nb * p
+  bodies.moved[a / STATE] = PUSHED
+  bodies.moved[b / STATE] = PUSHED
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
@@ -2456,17 +2634,17 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
   const d = contacts.data
   const pair = contacts.pair
   for (let i = from; i < to; i++) {
-    const c = list[i]
+    const c = list[i] & INDEX
     const k = c * CONTACT
     const points = d[k + POINTS]
     if (points === 0) continue
-    const a = pair[2 * c] * STATE
-    const b = pair[2 * c + 1] * STATE
+    const a = (pair[2 * c] & INDEX) * STATE
+    const b = (pair[2 * c + 1] & INDEX) * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
     const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
     const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-    if (gap1 < -SLOP) part(bodies, s, d, k, a, b, gap1, 0)
+    if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, 0)
     if (points > 1) {
       const gap2 =
         d[k + BASE2] +
@@ -2474,7 +2652,7 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
         ny * (s[b + Y] - s[a + Y]) +
         d[k + NB2] * s[b + ANGLE] -
         d[k + NA2] * s[a + ANGLE]
-      if (gap2 < -SLOP) part(bodies, s, d, k, a, b, gap2, 1)
+      if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, 0)
     }
   }
 }
@@ -2597,10 +2775,13 @@ function createWorld(options: WorldOptions) {
   let densities = new Float64Array(0)
   let awake = new Int32Array(0)
   let awakeCount = 0
+  let population = 0
   let held = new Uint8Array(0)
   let undrawn = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
+  /** Number of the present sweep. */
+  let round = 0
 
   function reserve(slots: number): void {
     reserveBodies(bodies, slots)
@@ -2660,7 +2841,7 @@ function createWorld(options: WorldOptions) {
 
   /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
   function wakeStruck(): void {
-    const { state, motion } = bodies
+    const { state } = bodies
     for (let n = 0; n < awakeCount; n++) {
       const i = awake[n]
       for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2674,11 +2855,10 @@ function createWorld(options: WorldOptions) {
           Math.abs(state[s + VY]) +
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
-        if (contacts.data[k + REACH] - motion[i * MOTION + WAY] - motion[j * MOTION + WAY] > go + MARGIN)
-          continue
+        if (gapBound(bodies, contacts, c) > go + MARGIN) continue
         touch.margin = MARGIN
         measure(bodies, contacts, walls, c)
-        stats.narrow++
+        contacts.measured++
         if (
           contacts.data[k + POINTS] === 0
             ? touch.gap < go
@@ -2713,7 +2893,7 @@ function createWorld(options: WorldOptions) {
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
-    wakeStruck()
+    if (awakeCount < population) wakeStruck()
     findIslands(islands, bodies, contacts, walls, scene.gravity, awake, awakeCount)
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
@@ -2731,7 +2911,7 @@ function createWorld(options: WorldOptions) {
 
   /** A body alone in the air: the whole step in closed form. */
   function fly(i: number): void {
-    const { state, motion } = bodies
+    const { state } = bodies
     const { linear, spin } = airFor(1)
     const s = i * STATE
     const dx = linear.reach * state[s + VX]
@@ -2743,36 +2923,44 @@ function createWorld(options: WorldOptions) {
     state[s + VX] *= linear.fade
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
-    motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy) + bodies.shape[i * SHAPE + EXTENT] * Math.abs(by)
     capSpeed(state, s)
   }
 
   /** One island through the step. */
   function solve(b0: number, b1: number, c0: number, c1: number): void {
-    const list = islands.contacts
+    const live = islands.live
+    let end = c0
+    const speed = fastest(b0, b1)
     const substeps = options.substeps ?? SUBSTEPS
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * fastest(b0, b1)))
-    const grabbed = holds.filter((hold) => inIsland(hold, b0))
+    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const sweeps =
+      speed > LIVELY
+        ? SWEEPS_LIVELY
+        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+    const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
-      refresh(c0, c1, h)
-      bounceAll(impacts, scene, list, c0, c1, h)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
+      round = (round + ROUNDS) & 0x3fffffff
+      clearImpacts(impacts)
+      end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
+      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
-      let change = Infinity
-      for (let k = 0; k < SWEEPS && change > tolerance; k++) {
-        for (const hold of grabbed) solveHold(bodies, hold)
-        change = sweep(bodies, contacts, list, c0, c1, h, scene.friction, n > 0 && k === 0)
+      let stirs = 1
+      for (let k = 0; k < sweeps && stirs > 0; k++) {
+        for (const hold of grabbed) {
+          solveHold(bodies, hold)
+          bodies.stirred[hold.body] = round + k - 1
+        }
+        stirs = sweep(bodies, contacts, live, c0, end, scene.friction, tolerance, round + k)
         stats.sweeps++
-        stats.rows += c1 - c0
       }
       move(bodies, islands.bodies, b0, b1, h)
       stats.substeps++
-      if (change < BALANCE && grabbed.length === 0 && inBalance(b0, b1, h)) break
+      if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
-    separate(bodies, contacts, list, c0, c1)
+    separate(bodies, contacts, live, c0, end)
   }
 
   /** Whether no body of an island moves or gains speed. */
@@ -2818,21 +3006,13 @@ function createWorld(options: WorldOptions) {
     grabbed: Hold[],
     substeps: number,
   ): void {
-    const { motion, state, shape } = bodies
+    const { motion } = bodies
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
       const m = i * MOTION
       motion[m + PUSH_X] = 0
       motion[m + PUSH_Y] = 0
       motion[m + PUSH_SPIN] = 0
-      const s = i * STATE
-      motion[m + NEXT] =
-        (1.25 *
-          STEP *
-          (Math.abs(state[s + VX]) +
-            Math.abs(state[s + VY]) +
-            shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN]))) /
-        substeps
     }
     const d = contacts.data
     for (let n = c0; n < c1; n++) {
@@ -2853,40 +3033,16 @@ function createWorld(options: WorldOptions) {
     for (const hold of grabbed) carryHold(bodies, hold, substeps)
   }
 
-  /** Measures again what has moved: a wall at every move, a touching pair after `REFRESH`, others when they may meet. */
-  function refresh(c0: number, c1: number, h: number): void {
-    touch.ahead = h
-    const d = contacts.data
-    const m = bodies.motion
-    for (let n = c0; n < c1; n++) {
-      const c = islands.contacts[n]
-      const k = c * CONTACT
-      const a = contacts.pair[2 * c] * MOTION
-      const b = contacts.pair[2 * c + 1] * MOTION
-      const gone = m[a + WAY] + m[b + WAY]
-      const margin = MARGIN + m[a + NEXT] + m[b + NEXT]
-      const due =
-        d[k + POINTS] > 0
-          ? contacts.wall[c] > 0
-            ? gone > d[k + REACH] - REFRESH
-            : gone > d[k + REACH]
-          : d[k + REACH] - gone < margin
-      if (due) {
-        touch.margin = margin
-        measure(bodies, contacts, walls, c)
-        stats.narrow++
-      }
-    }
-    touch.ahead = 0
-  }
-
   /** Whether the body that `hold` holds is in the island that starts at `b0`. */
   function inIsland(hold: Hold, b0: number): boolean {
     return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
   }
 
   return {
-    stats: stats as Readonly<Stats>,
+    get stats(): Readonly<Stats> {
+      count()
+      return stats
+    },
 
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
@@ -2900,8 +3056,8 @@ function createWorld(options: WorldOptions) {
       bodies.state[s + VY] = finite(body.vy)
       bodies.state[s + SPIN] = finite(body.spin)
       capSpeed(bodies.state, s)
-      bodies.motion[i * MOTION + WAY] = 0
       bodies.alive[i] = 1
+      population++
       bodies.asleep[i] = 0
       held[i] = 0
       undrawn[i] = 1
@@ -2920,6 +3076,7 @@ function createWorld(options: WorldOptions) {
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
       awakeCount = to
       bodies.alive[id] = 0
+      population--
       freeSlots.push(id)
     },
 
@@ -2976,11 +3133,12 @@ function createWorld(options: WorldOptions) {
     step(seconds: number): void {
       stats.steps = 0
       stats.awake = 0
-      stats.narrow = 0
+      contacts.measured = 0
       stats.islands = 0
       stats.substeps = 0
       stats.sweeps = 0
       stats.rows = 0
+      contacts.rows = 0
       impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? seconds : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
@@ -2988,8 +3146,6 @@ function createWorld(options: WorldOptions) {
         left = Math.max(0, left - STEP)
         stepOnce()
       }
-      stats.hits = impacts.sweeps
-      count()
     },
 
     /** Pose and velocity of body `id`: px, radians, px/s, rad/s. For tests and tools; not used in a loop. */
@@ -3082,7 +3238,7 @@ function createWorld(options: WorldOptions) {
     pairs.box[i * 4] = Infinity
     undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      contacts.data[(edge >> 1) * CONTACT + REACH] = -Infinity
+      contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
       contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
       contacts.data[(edge >> 1) * CONTACT + LOAD1] = 0
       contacts.data[(edge >> 1) * CONTACT + LOAD2] = 0
@@ -3091,6 +3247,9 @@ function createWorld(options: WorldOptions) {
   }
 
   function count(): void {
+    stats.narrow = contacts.measured
+    stats.rows = contacts.rows
+    stats.hits = impacts.sweeps
     stats.pairs = 0
     stats.contacts = 0
     stats.points = 0

@@ -7,6 +7,12 @@ import { STEP } from './constants'
  * A chip is a core rectangle (half extents `HX`, `HY`) swept by a radius: disc, pill, rounded box and box in one family.
  */
 
+/**
+ * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one can't overflow,
+ * which saves it a check at every access.
+ */
+export const INDEX = 0xffffff
+
 // Record of `state`, read by every sweep: one cache line a body.
 export const X = 0
 export const Y = 1
@@ -35,11 +41,7 @@ export const DRIFT_ANGLE = 8
 export const COS = 9
 export const SIN = 10
 export const TURNED = 11
-/** Length of the way that the farthest point of the body has gone: never less than its displacement. */
-export const WAY = 12
-/** px that it may go in the coming sub-step. */
-export const NEXT = 13
-export const MOTION = 16
+export const MOTION = 12
 
 // Record of `shape`.
 export const HX = 0
@@ -47,7 +49,13 @@ export const HY = 1
 export const RADIUS = 2
 /** Distance of the farthest point from the centre. */
 export const EXTENT = 3
-export const SHAPE = 4
+/** Distance of the core's farthest point: turning by θ moves no point of the outline by more than this times θ. */
+export const CORE = 4
+/** 1 / px², inverse square of that distance; 0 for a disc. */
+export const INV_CORE2 = 5
+export const SHAPE = 6
+
+export const PUSHED = 2
 
 export interface Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
@@ -62,6 +70,10 @@ export interface Bodies {
   /** 1 while the slot holds a body. */
   alive: Uint8Array
   asleep: Uint8Array
+  /** Number of the last sweep that changed the body's velocity. */
+  stirred: Int32Array
+  /** 1 if the last sub-step moved the body noticeably, `PUSHED` if a push did since. */
+  moved: Uint8Array
 }
 
 export function createBodies(): Bodies {
@@ -74,6 +86,8 @@ export function createBodies(): Bodies {
     rest: new Float64Array(4),
     alive: new Uint8Array(1),
     asleep: new Uint8Array(1),
+    stirred: new Int32Array(1),
+    moved: new Uint8Array(1),
   }
   bodies.motion[COS] = 1
   return bodies
@@ -96,6 +110,8 @@ export function reserveBodies(bodies: Bodies, slots: number): void {
   bodies.rest = grown(bodies.rest, capacity * 4)
   bodies.alive = grown(bodies.alive, capacity)
   bodies.asleep = grown(bodies.asleep, capacity)
+  bodies.stirred = grown(bodies.stirred, capacity)
+  bodies.moved = grown(bodies.moved, capacity)
 }
 
 /**
@@ -117,19 +133,22 @@ export function setShape(
   bodies.shape[s + HX] = hx
   bodies.shape[s + HY] = hy
   bodies.shape[s + RADIUS] = r
-  bodies.shape[s + EXTENT] = Math.sqrt(hx * hx + hy * hy) + r
+  const core = hx * hx + hy * hy
+  bodies.shape[s + CORE] = Math.sqrt(core)
+  bodies.shape[s + EXTENT] = Math.sqrt(core) + r
+  bodies.shape[s + INV_CORE2] = core > 0 ? 1 / core : 0
 
   // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
   const corner = Math.PI * r * r
   const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
   // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
-  const core = (4 * hx * hy * (hx * hx + hy * hy)) / 3
+  const inner = (4 * hx * hy * (hx * hx + hy * hy)) / 3
   const sides = (4 * r * hy * (hy * hy + (r * r) / 4)) / 3 + 4 * r * hy * (hx + r / 2) * (hx + r / 2)
   const caps = (4 * r * hx * (hx * hx + (r * r) / 4)) / 3 + 4 * r * hx * (hy + r / 2) * (hy + r / 2)
   // A quarter disc's centre of area lies 4r/3π from its corner along each axis.
   const corners = corner * (hx * hx + hy * hy + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
   const mass = density * area
-  const inertia = density * (core + sides + caps + corners)
+  const inertia = density * (inner + sides + caps + corners)
   bodies.state[i * STATE + INV_MASS] = mass > 0 ? 1 / mass : 0
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }

@@ -1,4 +1,4 @@
-import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y } from './body'
+import { type Bodies, COS, HX, HY, INV_CORE2, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y } from './body'
 
 /**
  * Two shapes in, contact points out. The result is left in `touch`, which is used again by the next call.
@@ -77,41 +77,37 @@ export function collide(bodies: Bodies, a: number, b: number): void {
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
  * In and out through one array: numbers handed over as arguments would be boxed.
  */
-const line = new Float64Array(8)
+const line = new Float64Array(10)
 const PX = 0
 const PY = 1
 const UX = 2
 const UY = 3
 const EDGE_X = 4
 const EDGE_Y = 5
-const S = 6
-const T = 7
+/** Inverse squares of the half lengths; 0 for a point. */
+const INV_UU = 6
+const INV_VV = 7
+const S = 8
+const T = 9
 function closest(): void {
   const ux = line[UX]
   const uy = line[UY]
   const vx = line[EDGE_X]
   const vy = line[EDGE_Y]
-  const uu = ux * ux + uy * uy
-  const vv = vx * vx + vy * vy
+  const invU = line[INV_UU]
+  const invV = line[INV_VV]
   const uv = ux * vx + uy * vy
   const up = ux * line[PX] + uy * line[PY]
   const vp = vx * line[PX] + vy * line[PY]
-  const det = uu * vv - uv * uv
-  let s = 0
-  let t = 0
-  if (uu > 0) {
-    s = det > TINY * uu * vv ? (up * vv - uv * vp) / det : up / uu
-    s = s > 1 ? 1 : Math.max(s, -1)
-  }
-  if (vv > 0) {
-    t = (uv * s - vp) / vv
-    t = t > 1 ? 1 : Math.max(t, -1)
-  }
-  if (uu > 0) {
-    s = (up + uv * t) / uu
-    s = s > 1 ? 1 : Math.max(s, -1)
-  }
-  line[S] = s
+  // In units of the half lengths; det is the squared sine of the angle between the two.
+  const det = 1 - uv * uv * invU * invV
+  let s = up * invU
+  if (det > 1e-9 && invV > 0) s = (s - uv * vp * invU * invV) / det
+  s = s > 1 ? 1 : Math.max(s, -1)
+  let t = (uv * s - vp) * invV
+  t = t > 1 ? 1 : Math.max(t, -1)
+  s = (up + uv * t) * invU
+  line[S] = s > 1 ? 1 : Math.max(s, -1)
   line[T] = t
 }
 
@@ -140,6 +136,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   line[UY] = uy
   line[EDGE_X] = vx
   line[EDGE_Y] = vy
+  line[INV_UU] = shape[a * SHAPE + INV_CORE2]
+  line[INV_VV] = shape[b * SHAPE + INV_CORE2]
   closest()
   const s = line[S]
   const t = line[T]
@@ -170,22 +168,23 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
       ny = -ny
     }
   } else {
-    nx /= distance
-    ny /= distance
+    const inverse = 1 / distance
+    nx *= inverse
+    ny *= inverse
   }
   touch.nx = nx
   touch.ny = ny
   if (uu > 0 && vv > 0 && (onA || onB)) {
     const rx = onA ? ux : vx
     const ry = onA ? uy : vy
-    const rr = onA ? uu : vv
+    const inverse = shape[(onA ? a : b) * SHAPE + INV_CORE2]
     const ix = onA ? vx : ux
     const iy = onA ? vy : uy
     const ox = onA ? px : -px
     const oy = onA ? py : -py
     // Along the reference, the other segment reaches from mid − half to mid + half.
-    const mid = (rx * ox + ry * oy) / rr
-    const half = (rx * ix + ry * iy) / rr
+    const mid = (rx * ox + ry * oy) * inverse
+    const half = (rx * ix + ry * iy) * inverse
     const size = half > 0 ? half : -half
     const way = half > 0 ? 1 : -1
     const own = onA ? 0 : 4
@@ -344,6 +343,9 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
     line[UY] = gy * half
     line[EDGE_X] = ex
     line[EDGE_Y] = ey
+    const ee = ex * ex + ey * ey
+    line[INV_UU] = half > 0 ? 1 / (half * half) : 0
+    line[INV_VV] = ee > 0 ? 1 / ee : 0
     closest()
     const s = line[S]
     const t = line[T]

@@ -18,17 +18,27 @@ export const MAX_SPEED = 3600
 export const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
 export const SUBSTEPS = 8
-/** Most velocity sweeps of a sub-step. */
-export const SWEEPS = 8
+/**
+ * Most velocity sweeps of a sub-step: few while a chip of the island is faster than this, px/s, as the next sub-step sees
+ * other contacts anyway; many when what is left is to stand.
+ */
+export const SWEEPS = 12
+export const SWEEPS_LEAST = 2
+export const SWEEPS_LIVELY = 5
+export const LIVELY = 100
+/** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
+export const SWEEP_BUDGET = 800
+/** Numbers set aside for the sweeps of a sub-step: a power of two, at least SWEEPS + 1. */
+export const ROUNDS = 16
 /**
  * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
  */
 export const TOLERANCE_SHARE = 0.01
-export const TOLERANCE_LEAST = 0.02
-export const TOLERANCE_MOST = 2
+export const TOLERANCE_LEAST = 0.05
+export const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
-export const BALANCE = 0.05
+export const BALANCE = 0.1
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 export const SLOP = 0.004
@@ -40,8 +50,13 @@ export const MAX_PUSH = 4
 export const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 export const MARGIN = 0.5
-/** px of motion after which a touching pair is measured again. */
-export const REFRESH = 0.3
+/** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
+export const REFRESH = 0.6
+export const WALL_REFRESH = 0.001
+/** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
+export const LOOSE = 2
+/** px; a chip that moved less in a sub-step leaves its contacts as they are until the next step. */
+export const STANDING = 0.001
 /** px by which a broad-phase box is larger than its chip. */
 export const SKIN = 8
 
@@ -52,7 +67,7 @@ export const IMPACT_SHARE = 0.05
 export const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 export const IMPACT_SPREAD = 5
-export const IMPACT_SPREAD_SHARE = 0.02
+export const IMPACT_SPREAD_SHARE = 0.1
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
 export const IMPACT_TOUCH = 0.05
 

@@ -1,21 +1,22 @@
 import {
   ANGLE,
   type Bodies,
+  CORE,
   grown,
+  INDEX,
   INV_INERTIA,
   INV_MASS,
   MOTION,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  SHAPE,
   SPIN,
   STATE,
-  WAY,
   X,
   Y,
 } from './body'
 import { AX, AY, BX, BY, collide, collideWall, FEATURE, GAP, POINT, touch, type Walls } from './collide'
-import { REFRESH } from './constants'
 
 /**
  * Pairs that may touch, and their manifolds: up to two points that share a normal. A pair keeps its slot, and its
@@ -31,42 +32,48 @@ export const NY = 1
 export const POINTS = 2
 export const NA1 = 3
 export const NB1 = 4
-export const NA2 = 5
-export const NB2 = 6
-/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-export const TA = 7
-export const TB = 8
-export const BASE1 = 9
-export const BASE2 = 10
 /** Accumulated impulses of a sub-step: normal of each point, friction. */
-export const LOAD1 = 11
-export const LOAD2 = 12
-export const DRAG = 13
-/** Inverse effective masses K = J·M⁻¹·Jᵀ: both normals, their coupling; and 1 / det K, 0 where the two are nearly one. */
-export const K11 = 14
-export const K22 = 15
-export const K12 = 16
-export const INV_DET = 17
-/** Effective mass along the tangent. */
-export const MASS_T = 18
-/** Lower bound of the gap plus the ways of both bodies when it was measured, px. */
-export const REACH = 19
-/** Impact: wanted velocities of both points, impulses, and the last change of a normal velocity, px/s. */
-export const GOAL1 = 20
-export const GOAL2 = 21
-export const HIT1 = 22
-export const HIT2 = 23
-export const HIT_T = 24
-export const CHANGE = 25
+export const LOAD1 = 5
+/** px/s at which a gap may close in the sub-step. */
+export const CLOSING1 = 6
+/** Inverse effective mass along the normal, its inverse; those of point 2, their coupling, and 1 / det K, 0 where the two are nearly one. */
+export const K11 = 7
+export const MASS1 = 8
+/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
+export const TA = 9
+export const TB = 10
+export const DRAG = 11
+export const MASS_T = 12
+export const NA2 = 13
+export const NB2 = 14
+export const LOAD2 = 15
+export const CLOSING2 = 16
+export const K22 = 17
+export const MASS2 = 18
+export const K12 = 19
+export const INV_DET = 20
+/** Gap of each point at the origin of the poses. */
+export const BASE1 = 21
+export const BASE2 = 22
+/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
+export const CLEAR = 23
+export const FROM_X = 24
+export const FROM_Y = 25
+export const FROM_A = 26
+export const FROM_B = 27
 /** Sub-steps a step when the impulses were stored. */
-export const RATE = 26
-/** px/s, by how much the velocity at the end of the sub-step may exceed the one that closes the gap: half of what it gains on the way. */
-export const SLACK = 27
-/** Wanted tangential velocity at the start of the sub-step, px/s: what gravity adds until the impact is taken off. */
-export const GOAL_T = 28
+export const RATE = 28
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 export const LAG = 29
-export const CONTACT = 32
+/** Impact: wanted velocities along both normals and the tangent, impulses, last change of a normal velocity, px/s. */
+export const GOAL1 = 30
+export const GOAL2 = 31
+export const GOAL_T = 32
+export const HIT1 = 33
+export const HIT2 = 34
+export const HIT_T = 35
+export const CHANGE = 36
+export const CONTACT = 40
 
 export interface Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
@@ -85,6 +92,10 @@ export interface Contacts {
   last: Int32Array
   /** Number of the impact phase in which the contact was taken up. */
   mark: Int32Array
+  /** Pairs measured since the count was last set to 0. */
+  measured: number
+  /** Rows visited by sweeps. */
+  rows: number
 }
 
 export function createContacts(): Contacts {
@@ -99,6 +110,8 @@ export function createContacts(): Contacts {
     next: new Int32Array(0),
     last: new Int32Array(0),
     mark: new Int32Array(0),
+    measured: 0,
+    rows: 0,
   }
 }
 
@@ -146,7 +159,7 @@ export function addContact(contacts: Contacts, a: number, b: number, wall: numbe
   contacts.pair[2 * c + 1] = b
   contacts.wall[c] = wall
   contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
-  contacts.data[c * CONTACT + REACH] = -Infinity
+  contacts.data[c * CONTACT + CLEAR] = -Infinity
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c
@@ -173,8 +186,8 @@ export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: numbe
   const ny = d[k + NY]
   const x = nx * (l1 + l2) - ny * lt
   const y = ny * (l1 + l2) + nx * lt
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
   const ima = state[a * STATE + INV_MASS]
   const imb = state[b * STATE + INV_MASS]
@@ -195,8 +208,8 @@ export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: numbe
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
  */
 export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
@@ -215,8 +228,13 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
-  const way = motion[a * MOTION + WAY] + motion[b * MOTION + WAY]
-  d[k + REACH] = way + (touch.count > 0 ? REFRESH : touch.gap)
+  const dx = state[b * STATE + X] - state[a * STATE + X]
+  const dy = state[b * STATE + Y] - state[a * STATE + Y]
+  d[k + CLEAR] = touch.gap
+  d[k + FROM_X] = dx
+  d[k + FROM_Y] = dy
+  d[k + FROM_A] = angleA
+  d[k + FROM_B] = angleB
   d[k + POINTS] = touch.count
   if (touch.count === 0) {
     d[k + LOAD1] = 0
@@ -270,8 +288,6 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const nb1 = points[BX] * ny - points[BY] * nx
   let ta = points[AX] * nx + points[AY] * ny
   let tb = points[BX] * nx + points[BY] * ny
-  const dx = state[b * STATE + X] - state[a * STATE + X]
-  const dy = state[b * STATE + Y] - state[a * STATE + Y]
   const across = nx * dx + ny * dy
   d[k + NX] = nx
   d[k + NY] = ny
@@ -280,6 +296,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K11] = k11
+  d[k + MASS1] = 1 / k11
   if (touch.count > 1) {
     const na2 = points[POINT + AX] * ny - points[POINT + AY] * nx
     const nb2 = points[POINT + BX] * ny - points[POINT + BY] * nx
@@ -292,6 +309,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     d[k + NB2] = nb2
     d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
     d[k + K22] = k22
+    d[k + MASS2] = 1 / k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
@@ -319,4 +337,28 @@ export function gapOf(bodies: Bodies, contacts: Contacts, c: number, second: boo
   return second
     ? d[k + BASE2] + across + d[k + NB2] * s[sb + ANGLE] - d[k + NA2] * s[sa + ANGLE]
     : d[k + BASE1] + across + d[k + NB1] * s[sb + ANGLE] - d[k + NA1] * s[sa + ANGLE]
+}
+
+/** px, bound of how much the gap of contact `c` may have changed since it was measured. */
+function shift(bodies: Bodies, contacts: Contacts, c: number): number {
+  const s = bodies.state
+  const d = contacts.data
+  const a = contacts.pair[2 * c] & INDEX
+  const b = contacts.pair[2 * c + 1] & INDEX
+  const k = c * CONTACT
+  const x = s[b * STATE + X] - s[a * STATE + X] - d[k + FROM_X]
+  const y = s[b * STATE + Y] - s[a * STATE + Y] - d[k + FROM_Y]
+  const turnA = s[a * STATE + ANGLE] - d[k + FROM_A]
+  const turnB = s[b * STATE + ANGLE] - d[k + FROM_B]
+  return (
+    Math.abs(x) +
+    Math.abs(y) +
+    bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
+    bodies.shape[b * SHAPE + CORE] * Math.abs(turnB)
+  )
+}
+
+/** px, lower bound of the present gap of contact `c`, without measuring. */
+export function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
+  return contacts.data[c * CONTACT + CLEAR] - shift(bodies, contacts, c)
 }

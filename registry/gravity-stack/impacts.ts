@@ -2,6 +2,7 @@ import {
   ANGLE,
   type Bodies,
   grown,
+  INDEX,
   INV_INERTIA,
   INV_MASS,
   MOTION,
@@ -12,7 +13,6 @@ import {
   STATE,
   VX,
   VY,
-  WAY,
   X,
   Y,
 } from './body'
@@ -39,8 +39,6 @@ import {
   HIT2,
   K11,
   K22,
-  LOAD1,
-  LOAD2,
   MASS_T,
   measure,
   NA1,
@@ -50,7 +48,6 @@ import {
   NX,
   NY,
   POINTS,
-  SLACK,
   TA,
   TB,
 } from './contacts'
@@ -255,59 +252,16 @@ function advance(scene: ImpactScene, i: number, time: number, h: number): void {
   state[s + ANGLE] += state[s + SPIN] * time + motion[m + PUSH_SPIN] * half
 }
 
-/** All impacts of the contacts `list[from..to)` within the coming sub-step of `h` seconds. */
-export function bounceAll(
-  impacts: Impacts,
-  scene: ImpactScene,
-  list: Int32Array,
-  from: number,
-  to: number,
-  h: number,
-): void {
-  const { contacts } = scene
-  const d = contacts.data
-  const pair = contacts.pair
-  const s = scene.bodies.state
-  const m = scene.bodies.motion
-  const fall = scene.gravity * h
+/** Empties the cluster for a new sub-step. */
+export function clearImpacts(impacts: Impacts): void {
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
   impacts.fastest = 0
-  for (let i = from; i < to; i++) {
-    const c = list[i]
-    const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0) continue
-    if (d[k + LOAD1] + d[k + LOAD2] > 0) {
-      d[k + SLACK] = 0
-      continue
-    }
-    const a = pair[2 * c]
-    const b = pair[2 * c + 1]
-    const sa = a * STATE
-    const sb = b * STATE
-    const ma = a * MOTION
-    const mb = b * MOTION
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    // What `predict` asks first, for both points at once: nearly every contact ends here.
-    const gain =
-      nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) + ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (a > 0 ? 0 : fall))
-    d[k + SLACK] = -0.5 * (gain + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN])
-    const speed = nx * (s[sb + VX] - s[sa + VX]) + ny * (s[sb + VY] - s[sa + VY])
-    const spinA = s[sa + SPIN]
-    const spinB = s[sb + SPIN]
-    const v1 = speed + d[k + NB1] * spinB - d[k + NA1] * spinA - 2 * Math.abs(d[k + SLACK])
-    const v2 = points > 1 ? speed + d[k + NB2] * spinB - d[k + NA2] * spinA - 2 * Math.abs(d[k + SLACK]) : 0
-    if (v1 > -scene.threshold && v2 > -scene.threshold) continue
-    enterImpact(impacts, scene, c, h)
-  }
-  if (impacts.count > 0) resolve(impacts, scene, h)
 }
 
 /** Contact `c` joins the cluster if one of its points will hit. */
-function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
+export function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
   const d = scene.contacts.data
   const k = c * CONTACT
   if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
@@ -330,7 +284,7 @@ function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number)
 }
 
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
+export function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
@@ -365,15 +319,14 @@ function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
     state[s + X] -= dx
     state[s + Y] -= dy
     state[s + ANGLE] -= by
-    bodies.motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy)
   }
 }
 
 /** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
 function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
   const k = c * CONTACT
-  const a = pair[2 * c] * STATE
-  const b = pair[2 * c + 1] * STATE
+  const a = (pair[2 * c] & INDEX) * STATE
+  const b = (pair[2 * c + 1] & INDEX) * STATE
   const nx = d[k + NX]
   const ny = d[k + NY]
   const ima = s[a + INV_MASS]

@@ -1,22 +1,7 @@
-import {
-  ANGLE,
-  type Bodies,
-  EXTENT,
-  grown,
-  MOTION,
-  NEXT,
-  SHAPE,
-  SPIN,
-  STATE,
-  VX,
-  VY,
-  WAY,
-  X,
-  Y,
-} from './body'
+import { ANGLE, type Bodies, CORE, EXTENT, grown, INDEX, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { touch, type Walls } from './collide'
-import { MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
-import { CONTACT, type Contacts, LOAD1, LOAD2, measure, POINTS, REACH } from './contacts'
+import { LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
+import { CLEAR, CONTACT, type Contacts, gapBound, LOAD1, LOAD2, measure, POINTS } from './contacts'
 
 /**
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
@@ -24,7 +9,7 @@ import { CONTACT, type Contacts, LOAD1, LOAD2, measure, POINTS, REACH } from './
  */
 export interface Islands {
   parent: Int32Array
-  /** px that a body, and then anything in its island, may go within the step. */
+  /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array
   /** Contacts that matter in this step. */
   near: Int32Array
@@ -34,6 +19,8 @@ export interface Islands {
   bodies: Int32Array
   bodyStart: Int32Array
   contacts: Int32Array
+  /** The same, only those that touch in the present sub-step. */
+  live: Int32Array
   contactStart: Int32Array
   /** Number of the island by root. */
   number: Int32Array
@@ -49,6 +36,7 @@ export function createIslands(): Islands {
     bodies: new Int32Array(0),
     bodyStart: new Int32Array(0),
     contacts: new Int32Array(64),
+    live: new Int32Array(64),
     contactStart: new Int32Array(0),
     number: new Int32Array(0),
   }
@@ -84,23 +72,18 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/** px, bound of the present gap of contact `c`. */
-function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
-  const m = bodies.motion
-  return (
-    contacts.data[c * CONTACT + REACH] -
-    m[contacts.pair[2 * c] * MOTION + WAY] -
-    m[contacts.pair[2 * c + 1] * MOTION + WAY]
-  )
-}
-
-/** Whether contact `c` may close within the step when its bodies go `reach` px; it is measured if need be. */
-function mayTouch(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): boolean {
-  if (contacts.data[c * CONTACT + POINTS] > 0) return true
-  if (gapBound(bodies, contacts, c) > reach + MARGIN) return false
+/**
+ * px, what the gap of contact `c` may be at least. Measured again only where the bound has grown loose.
+ */
+function gapNow(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): number {
+  const k = c * CONTACT
+  if (contacts.data[k + POINTS] > 0) return -Infinity
+  const bound = gapBound(bodies, contacts, c)
+  if (bound > reach || contacts.data[k + CLEAR] - bound < LOOSE) return bound
   touch.margin = MARGIN
   measure(bodies, contacts, walls, c)
-  return touch.gap <= reach + MARGIN
+  contacts.measured++
+  return touch.gap
 }
 
 /**
@@ -117,25 +100,14 @@ export function findIslands(
   count: number,
 ): void {
   const { parent, reach } = islands
-  const { state, motion, shape } = bodies
-  const fall = 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    const s = i * STATE
-    parent[i] = i
-    const go =
-      (Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])) *
-        STEP +
-      fall
-    reach[i] = go
-    motion[i * MOTION + NEXT] = go
+    parent[awake[n]] = awake[n]
+    reach[awake[n]] = 0
   }
   islands.nearCount = 0
-  gather(islands, bodies, contacts, walls, awake, count, false)
-  // A fast body hands its speed on: whatever it may touch may go as far, and touch others in turn.
-  gather(islands, bodies, contacts, walls, awake, count, true)
+  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
+  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
+  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -157,7 +129,10 @@ export function findIslands(
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
   }
-  if (islands.contacts.length < nearCount) islands.contacts = new Int32Array(islands.near.length)
+  if (islands.contacts.length < nearCount) {
+    islands.contacts = new Int32Array(islands.near.length)
+    islands.live = new Int32Array(islands.near.length)
+  }
   // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
   for (let n = count - 1; n >= 0; n--) {
     const island = number[find(parent, awake[n])]
@@ -176,40 +151,56 @@ export function findIslands(
   contactStart[islandCount] = nearCount
 }
 
+/**
+ * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
+ * may go as far as the fastest approach in its island.
+ */
 function gather(
   islands: Islands,
   bodies: Bodies,
   contacts: Contacts,
   walls: Walls,
+  gravity: number,
   awake: Int32Array,
   count: number,
   again: boolean,
 ): void {
   const { parent, reach } = islands
-  const { pair } = contacts
+  const { pair, mark } = contacts
+  const { state: s, shape, asleep } = bodies
+  const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    let mine = reach[i]
-    if (again) {
-      const root = reach[find(parent, i)]
-      if (root <= mine + 1) continue
-      mine = root
-    }
+    const i = awake[n] & INDEX
+    const mine = again ? reach[find(parent, i)] : 0
+    if (again && mine < 1) continue
+    const a = i * STATE
+    const vx = s[a + VX]
+    const vy = s[a + VY]
+    const turning = shape[i * SHAPE + CORE] * Math.abs(s[a + SPIN])
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      const j = pair[edge ^ 1] & INDEX
+      // The first round sees every pair once: from A, or from the chip at a wall.
+      if (!again && j > 0 && (edge & 1) === 1) continue
       const c = edge >> 1
-      const j = pair[edge ^ 1]
-      if (j > 0 && bodies.asleep[j] === 1) continue
-      const theirs = j === 0 ? 0 : again ? reach[find(parent, j)] : reach[j]
-      // Every pair once a round: from A, from the wall's only side, and in the second round only what the first left out.
-      if (contacts.mark[c] === -1) continue
-      if (!mayTouch(bodies, contacts, walls, c, mine + theirs)) continue
-      contacts.mark[c] = -1
+      if (mark[c] === -1 || asleep[j] === 1) continue
+      const b = j * STATE
+      const go =
+        STEP *
+        (Math.abs(s[b + VX] - vx) +
+          Math.abs(s[b + VY] - vy) +
+          turning +
+          shape[j * SHAPE + CORE] * Math.abs(s[b + SPIN]))
+      const may = go + fall + (again ? mine + (j > 0 ? reach[find(parent, j)] : 0) : 0)
+      if (gapNow(bodies, contacts, walls, c, may) > may) continue
+      mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
       islands.near[islands.nearCount++] = c
       if (j > 0) unite(parent, reach, i, j)
+      const root = find(parent, i)
+      if (go > reach[root]) reach[root] = go
     }
   }
-  if (again) for (let n = 0; n < islands.nearCount; n++) contacts.mark[islands.near[n]] = 0
+  if (again) for (let n = 0; n < islands.nearCount; n++) mark[islands.near[n]] = 0
 }
 
 /**

@@ -9,7 +9,6 @@ import {
   INV_MASS,
   MAX_DAMPING,
   MOTION,
-  NEXT,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
@@ -21,7 +20,6 @@ import {
   setShape,
   VX,
   VY,
-  WAY,
   X,
   Y,
 } from './body'
@@ -35,21 +33,27 @@ import {
   GRAVITY,
   IMPACT_SPREAD,
   LINEAR_DAMPING,
+  LIVELY,
   MARGIN,
-  REFRESH,
+  ROUNDS,
   SLOP,
   STEP,
   SUBSTEPS,
+  SWEEP_BUDGET,
   SWEEPS,
+  SWEEPS_LEAST,
+  SWEEPS_LIVELY,
   TOLERANCE_LEAST,
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
 } from './constants'
 import {
+  CLEAR,
   CONTACT,
   carry,
   createContacts,
   DRAG,
+  gapBound,
   LAG,
   LOAD1,
   LOAD2,
@@ -58,14 +62,13 @@ import {
   NY,
   POINTS,
   RATE,
-  REACH,
   reserveHeads,
 } from './contacts'
 import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, throwVelocity } from './grab'
-import { bounceAll, createImpacts, reserveImpacts } from './impacts'
+import { clearImpacts, createImpacts, reserveImpacts } from './impacts'
 import { createIslands, find, findIslands, reserveIslands, rest } from './islands'
 import { createPairs, enterPairs, leavePairs, reservePairs, updatePairs } from './pairs'
-import { capSpeed, kick, move, separate, sweep } from './solver'
+import { capSpeed, kick, move, prepare, separate, sweep } from './solver'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -183,10 +186,13 @@ export function createWorld(options: WorldOptions) {
   let densities = new Float64Array(0)
   let awake = new Int32Array(0)
   let awakeCount = 0
+  let population = 0
   let held = new Uint8Array(0)
   let undrawn = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
+  /** Number of the present sweep. */
+  let round = 0
 
   function reserve(slots: number): void {
     reserveBodies(bodies, slots)
@@ -246,7 +252,7 @@ export function createWorld(options: WorldOptions) {
 
   /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
   function wakeStruck(): void {
-    const { state, motion } = bodies
+    const { state } = bodies
     for (let n = 0; n < awakeCount; n++) {
       const i = awake[n]
       for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -260,11 +266,10 @@ export function createWorld(options: WorldOptions) {
           Math.abs(state[s + VY]) +
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
-        if (contacts.data[k + REACH] - motion[i * MOTION + WAY] - motion[j * MOTION + WAY] > go + MARGIN)
-          continue
+        if (gapBound(bodies, contacts, c) > go + MARGIN) continue
         touch.margin = MARGIN
         measure(bodies, contacts, walls, c)
-        stats.narrow++
+        contacts.measured++
         if (
           contacts.data[k + POINTS] === 0
             ? touch.gap < go
@@ -299,7 +304,7 @@ export function createWorld(options: WorldOptions) {
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
-    wakeStruck()
+    if (awakeCount < population) wakeStruck()
     findIslands(islands, bodies, contacts, walls, scene.gravity, awake, awakeCount)
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
@@ -317,7 +322,7 @@ export function createWorld(options: WorldOptions) {
 
   /** A body alone in the air: the whole step in closed form. */
   function fly(i: number): void {
-    const { state, motion } = bodies
+    const { state } = bodies
     const { linear, spin } = airFor(1)
     const s = i * STATE
     const dx = linear.reach * state[s + VX]
@@ -329,36 +334,44 @@ export function createWorld(options: WorldOptions) {
     state[s + VX] *= linear.fade
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
-    motion[i * MOTION + WAY] += Math.abs(dx) + Math.abs(dy) + bodies.shape[i * SHAPE + EXTENT] * Math.abs(by)
     capSpeed(state, s)
   }
 
   /** One island through the step. */
   function solve(b0: number, b1: number, c0: number, c1: number): void {
-    const list = islands.contacts
+    const live = islands.live
+    let end = c0
+    const speed = fastest(b0, b1)
     const substeps = options.substeps ?? SUBSTEPS
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * fastest(b0, b1)))
-    const grabbed = holds.filter((hold) => inIsland(hold, b0))
+    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const sweeps =
+      speed > LIVELY
+        ? SWEEPS_LIVELY
+        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+    const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
-      refresh(c0, c1, h)
-      bounceAll(impacts, scene, list, c0, c1, h)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin)
+      round = (round + ROUNDS) & 0x3fffffff
+      clearImpacts(impacts)
+      end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
+      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
-      let change = Infinity
-      for (let k = 0; k < SWEEPS && change > tolerance; k++) {
-        for (const hold of grabbed) solveHold(bodies, hold)
-        change = sweep(bodies, contacts, list, c0, c1, h, scene.friction, n > 0 && k === 0)
+      let stirs = 1
+      for (let k = 0; k < sweeps && stirs > 0; k++) {
+        for (const hold of grabbed) {
+          solveHold(bodies, hold)
+          bodies.stirred[hold.body] = round + k - 1
+        }
+        stirs = sweep(bodies, contacts, live, c0, end, scene.friction, tolerance, round + k)
         stats.sweeps++
-        stats.rows += c1 - c0
       }
       move(bodies, islands.bodies, b0, b1, h)
       stats.substeps++
-      if (change < BALANCE && grabbed.length === 0 && inBalance(b0, b1, h)) break
+      if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
-    separate(bodies, contacts, list, c0, c1)
+    separate(bodies, contacts, live, c0, end)
   }
 
   /** Whether no body of an island moves or gains speed. */
@@ -404,21 +417,13 @@ export function createWorld(options: WorldOptions) {
     grabbed: Hold[],
     substeps: number,
   ): void {
-    const { motion, state, shape } = bodies
+    const { motion } = bodies
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
       const m = i * MOTION
       motion[m + PUSH_X] = 0
       motion[m + PUSH_Y] = 0
       motion[m + PUSH_SPIN] = 0
-      const s = i * STATE
-      motion[m + NEXT] =
-        (1.25 *
-          STEP *
-          (Math.abs(state[s + VX]) +
-            Math.abs(state[s + VY]) +
-            shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN]))) /
-        substeps
     }
     const d = contacts.data
     for (let n = c0; n < c1; n++) {
@@ -439,40 +444,16 @@ export function createWorld(options: WorldOptions) {
     for (const hold of grabbed) carryHold(bodies, hold, substeps)
   }
 
-  /** Measures again what has moved: a wall at every move, a touching pair after `REFRESH`, others when they may meet. */
-  function refresh(c0: number, c1: number, h: number): void {
-    touch.ahead = h
-    const d = contacts.data
-    const m = bodies.motion
-    for (let n = c0; n < c1; n++) {
-      const c = islands.contacts[n]
-      const k = c * CONTACT
-      const a = contacts.pair[2 * c] * MOTION
-      const b = contacts.pair[2 * c + 1] * MOTION
-      const gone = m[a + WAY] + m[b + WAY]
-      const margin = MARGIN + m[a + NEXT] + m[b + NEXT]
-      const due =
-        d[k + POINTS] > 0
-          ? contacts.wall[c] > 0
-            ? gone > d[k + REACH] - REFRESH
-            : gone > d[k + REACH]
-          : d[k + REACH] - gone < margin
-      if (due) {
-        touch.margin = margin
-        measure(bodies, contacts, walls, c)
-        stats.narrow++
-      }
-    }
-    touch.ahead = 0
-  }
-
   /** Whether the body that `hold` holds is in the island that starts at `b0`. */
   function inIsland(hold: Hold, b0: number): boolean {
     return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
   }
 
   return {
-    stats: stats as Readonly<Stats>,
+    get stats(): Readonly<Stats> {
+      count()
+      return stats
+    },
 
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
@@ -486,8 +467,8 @@ export function createWorld(options: WorldOptions) {
       bodies.state[s + VY] = finite(body.vy)
       bodies.state[s + SPIN] = finite(body.spin)
       capSpeed(bodies.state, s)
-      bodies.motion[i * MOTION + WAY] = 0
       bodies.alive[i] = 1
+      population++
       bodies.asleep[i] = 0
       held[i] = 0
       undrawn[i] = 1
@@ -506,6 +487,7 @@ export function createWorld(options: WorldOptions) {
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
       awakeCount = to
       bodies.alive[id] = 0
+      population--
       freeSlots.push(id)
     },
 
@@ -562,20 +544,19 @@ export function createWorld(options: WorldOptions) {
     step(seconds: number): void {
       stats.steps = 0
       stats.awake = 0
-      stats.narrow = 0
+      contacts.measured = 0
       stats.islands = 0
       stats.substeps = 0
       stats.sweeps = 0
       stats.rows = 0
+      contacts.rows = 0
       impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? seconds : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
-        left = Math.max(0, left - STEP)
+        left -= STEP
         stepOnce()
       }
-      stats.hits = impacts.sweeps
-      count()
     },
 
     /** Pose and velocity of body `id`: px, radians, px/s, rad/s. For tests and tools; not used in a loop. */
@@ -623,7 +604,7 @@ export function createWorld(options: WorldOptions) {
 
     /** Calls back with the pose to draw of every body that has moved since the last call. */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
-      const share = Math.min(1, left / STEP)
+      const share = Math.min(1, Math.max(0, left / STEP))
       const { state, before } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
@@ -668,7 +649,7 @@ export function createWorld(options: WorldOptions) {
     pairs.box[i * 4] = Infinity
     undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      contacts.data[(edge >> 1) * CONTACT + REACH] = -Infinity
+      contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
       contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
       contacts.data[(edge >> 1) * CONTACT + LOAD1] = 0
       contacts.data[(edge >> 1) * CONTACT + LOAD2] = 0
@@ -677,6 +658,9 @@ export function createWorld(options: WorldOptions) {
   }
 
   function count(): void {
+    stats.narrow = contacts.measured
+    stats.rows = contacts.rows
+    stats.hits = impacts.sweeps
     stats.pairs = 0
     stats.contacts = 0
     stats.points = 0
