@@ -4,6 +4,7 @@
 //   npm run bench -- --scene pour,stack --engine ours,planck
 //   npm run bench -- --errors         errors alone, which are kept for the next run: they never change by themselves
 //   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
+//   npm run bench -- --minutes 5      stops after five; the next call goes on from there
 //   npm run bench -- --retry          tries again what took too long when the machine was busy
 //   npm run bench -- --fresh          forgets what an interrupted run had measured
 import { execFileSync } from 'node:child_process'
@@ -38,6 +39,7 @@ const { values: options } = parseArgs({
     errors: { type: 'boolean', default: false },
     out: { type: 'string' },
     retry: { type: 'boolean', default: false },
+    minutes: { type: 'string', default: 'Infinity' },
     fresh: { type: 'boolean', default: false },
     rounds: { type: 'string', default: '3' },
   },
@@ -54,6 +56,7 @@ const chosenScenes = scenes.filter(
 const wantedEngines = options.engine?.split(',').map((name) => (name === 'ours' ? ours : name))
 const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngines.includes(name))
 const isLarge = (scene: Scene) => /-(250|1000)$/.test(scene.name)
+const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms of one job after which it is given up */
 const patience = 150_000
 
@@ -117,7 +120,7 @@ async function runAll(title: string, tasks: Task[], workers: number) {
   const start = performance.now()
   let finished = 0
   const worker = async () => {
-    for (let next = queue.shift(); next; next = queue.shift()) {
+    for (let next = queue.shift(); next && performance.now() < deadline; next = queue.shift()) {
       let outcome: unknown = null
       try {
         outcome = await runJob(child, next.job, patience)
@@ -138,6 +141,10 @@ async function runAll(title: string, tasks: Task[], workers: number) {
   }
   await Promise.all(Array.from({ length: workers }, worker))
   if (process.stderr.isTTY) process.stderr.write('\r\x1b[K')
+  if (finished < total) {
+    console.error(`${title}: ${finished} of ${total} done; call again to go on`)
+    process.exit(75)
+  }
 }
 
 const outcomeOf = <J extends Job>(job: J, round = 0) =>
