@@ -3143,7 +3143,7 @@ function createWorld(options: WorldOptions) {
       left += seconds > 0 && seconds < Infinity ? seconds : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
-        left = Math.max(0, left - STEP)
+        left -= STEP
         stepOnce()
       }
     },
@@ -3193,7 +3193,7 @@ function createWorld(options: WorldOptions) {
 
     /** Calls back with the pose to draw of every body that has moved since the last call. */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
-      const share = Math.min(1, left / STEP)
+      const share = Math.min(1, Math.max(0, left / STEP))
       const { state, before } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
