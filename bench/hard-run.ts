@@ -1,17 +1,20 @@
 import { createWorld } from '../registry/gravity-stack/world'
-import { chipDistance, type Pose, stageDistance, worstOverlap } from '../scenes/exact-distance'
+import { chipDistance, type Pose, type Stage, stageDistance, worstOverlap } from '../scenes/exact-distance'
 import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
 import { type Chip, frame } from '../scenes/scene'
 
+type State = Pose & { vx: number; vy: number; spin: number }
+export type Watch = (frame: number, states: State[], alive: boolean[], stage: Stage) => void
+
 /** Plays a hard scene with our solver, asleep when it may be, and reads off its figures. */
-export function playHardScene(scene: HardScene, seed: number): HardFigures {
+export function playHardScene(scene: HardScene, seed: number, watch?: Watch): HardFigures {
   const chips = scene.build(seed)
   const world = createWorld({ width: scene.width, height: scene.height, ...scene.conditions })
   const ids = chips.map((chip) => world.add(chip))
   const alive = chips.map(() => true)
   const stage = { width: scene.width, height: scene.height }
-  const grabs = new Map<number, { grab: ReturnType<typeof world.grab>; at: number }>()
+  const grabs = new Map<number, ReturnType<typeof world.grab>>()
   let clock = 0
   const actor: Actor = {
     remove(chip) {
@@ -25,24 +28,24 @@ export function playHardScene(scene: HardScene, seed: number): HardFigures {
     hold(chip, to) {
       const held = grabs.get(chip)
       if (!to) {
-        held?.grab.release()
+        held?.release()
         grabs.delete(chip)
-      } else if (held) held.grab.moveTo(to.x, to.y, clock)
+      } else if (held) held.moveTo(to.x, to.y, clock)
       else {
         const { x, y } = world.read(ids[chip])
-        grabs.set(chip, { grab: world.grab(ids[chip], x, y), at: clock })
+        grabs.set(chip, world.grab(ids[chip], x, y))
       }
     },
     pose: (chip) => world.read(ids[chip]),
   }
 
   const masses = chips.map(massOf)
-  const read = () => ids.map((id) => world.read(id))
-  const energy = (states: ReturnType<typeof read>) =>
-    states.reduce((sum, { x, y, vx, vy, spin }, i) => {
+  const read = (): State[] => ids.map((id) => world.read(id))
+  const energy = (states: State[]) =>
+    states.reduce((sum, { y, vx, vy, spin }, i) => {
       if (!alive[i]) return sum
       const { mass, inertia } = masses[i]
-      const height = scene.height - y + 0 * x
+      const height = scene.height - y
       return (
         sum +
         (mass * (vx * vx + vy * vy) + inertia * spin * spin) / 2 +
@@ -99,6 +102,7 @@ export function playHardScene(scene: HardScene, seed: number): HardFigures {
       figures.asleep = Math.max(0, k - calm) * frame
     }
     if (!world.resting) figures.asleep = Number.POSITIVE_INFINITY
+    watch?.(k, now, alive, stage)
     before = now
   }
   figures.overlap = worstOverlap(living(), posesOf(before), stage)
@@ -119,7 +123,7 @@ function driftOf(chips: Chip[], states: Pose[]) {
 }
 
 /** Chips that no chain of touching chips (0.1 px) joins to the floor. */
-function hanging(chips: Chip[], poses: Pose[], stage: { width: number; height: number }) {
+function hanging(chips: Chip[], poses: Pose[], stage: Stage) {
   const near = 0.1
   const carried = new Set<number>()
   const queue = chips.flatMap((chip, i) => (stageDistance(chip, poses[i], stage).floor < near ? [i] : []))

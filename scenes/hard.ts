@@ -39,6 +39,35 @@ export type HardFigures = {
   through: number
 }
 
+export const hardUnits: Record<keyof HardFigures, string> = {
+  lost: 'chips',
+  outside: 'px',
+  gain: 'of the energy',
+  loss: 'of the energy',
+  overlap: 'px',
+  'overlap during': 'px',
+  speed: 'px/s',
+  drift: 'px',
+  asleep: 's',
+  hanging: 'chips',
+  through: 'chips',
+}
+
+/** The figures in a reader's words. */
+export const hardWords: Record<keyof HardFigures, string> = {
+  lost: 'lost to a number that is none',
+  outside: 'outside the stage',
+  gain: 'energy gained',
+  loss: 'energy lost',
+  overlap: 'overlap in the end',
+  'overlap during': 'overlap at any time',
+  speed: 'fastest chip',
+  drift: 'moved from its place',
+  asleep: 'asleep after',
+  hanging: 'hanging in the air',
+  through: 'went through',
+}
+
 export type HardScene = {
   name: string
   title: string
