@@ -14,6 +14,7 @@ import { Install, InstallWay } from './install'
 import {
   FlightFigure,
   FrictionFigure,
+  HardScenesFigure,
   ImpactFigure,
   IslandsFigure,
   SagFigure,
@@ -21,7 +22,7 @@ import {
   SubstepsFigure,
 } from './lab'
 import { ActionsTable, PropsTable } from './props-table'
-import { ScenesTable } from './scenes-table'
+import { HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
 /** A heading whose words are a link to itself. */
@@ -76,6 +77,8 @@ const components: Record<string, unknown> = {
   ElevationLadder,
   FlightFigure,
   FrictionFigure,
+  HardScenesFigure,
+  HardScenesTable,
   ImpactFigure,
   Install,
   InstallWay,

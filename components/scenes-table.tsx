@@ -1,23 +1,27 @@
+import { Fragment } from 'react'
+import { hardFigures } from '@/bench/hard-run'
 import { scenes } from '@/scenes'
+import { type HardFigures, hardScenes, hardUnits } from '@/scenes/hard'
 import { filmOf } from './lab/film'
+import { shortFigure } from './lab/short-figure'
 import { ScrollTable } from './scroll-table'
 
-const figureOf = (value: number) =>
-  value === 0 ? '0' : Math.abs(value) < 1e-3 ? value.toExponential(0) : String(Number(value.toPrecision(3)))
+type Row = { measure: string; value: number; unit: string; bound?: number }
 
-/** Every scene that a build can run in a moment, with what the solver makes of it. */
-export function ScenesTable() {
-  const rows = scenes
-    .filter((scene) => scene.build(1).length <= 60)
-    .flatMap((scene) => {
-      const values = scene.measure(filmOf(scene))
-      return scene.measures.map((measure, i) => ({ scene, measure, value: values[i], first: i === 0 }))
-    })
+function Rows({
+  label,
+  bound,
+  scenes,
+}: {
+  label: string
+  bound: string
+  scenes: { title: string; rows: Row[] }[]
+}) {
   return (
-    <ScrollTable label="Scenes">
+    <ScrollTable label={label}>
       <thead>
         <tr className="border-b text-muted-foreground">
-          {['Scene', 'Measure', 'Figure', 'Target'].map((head) => (
+          {['Scene', 'Measure', 'Figure', bound].map((head) => (
             <th key={head} scope="col" className="px-4 py-2.5 font-medium">
               {head}
             </th>
@@ -25,25 +29,63 @@ export function ScenesTable() {
         </tr>
       </thead>
       <tbody>
-        {rows.map(({ scene, measure, value, first }) => {
-          const missed = measure.target !== undefined && !(value <= measure.target)
-          return (
-            <tr key={`${scene.name} ${measure.name}`} className="border-b align-baseline last:border-0">
-              <th scope="row" className="min-w-44 px-4 py-2 font-normal">
-                {first ? scene.title : <span className="sr-only">{scene.title}</span>}
-              </th>
-              <td className="px-4 py-2 text-muted-foreground">{measure.name}</td>
-              <td className="whitespace-nowrap px-4 py-2 tabular-nums">
-                {figureOf(value)} {measure.unit}
-              </td>
-              <td className="whitespace-nowrap px-4 py-2 text-muted-foreground tabular-nums">
-                {measure.target === undefined ? '–' : figureOf(measure.target)}
-                {missed && <strong className="ml-2 font-medium text-foreground">missed</strong>}
-              </td>
-            </tr>
-          )
-        })}
+        {scenes.map(({ title, rows }) => (
+          <Fragment key={title}>
+            {rows.map(({ measure, value, unit, bound }, i) => (
+              <tr
+                key={measure}
+                className={i === rows.length - 1 ? 'border-b align-baseline' : 'align-baseline'}
+              >
+                <th scope="row" className="min-w-44 px-4 py-1.5 font-normal">
+                  {i === 0 ? title : <span className="sr-only">{title}</span>}
+                </th>
+                <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground">{measure}</td>
+                <td className="whitespace-nowrap px-4 py-1.5 tabular-nums">
+                  {shortFigure(value)} {unit}
+                </td>
+                <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground tabular-nums">
+                  {bound === undefined ? '–' : shortFigure(bound)}
+                  {bound !== undefined && !(value <= bound) && (
+                    <strong className="ml-2 font-medium text-foreground">missed</strong>
+                  )}
+                </td>
+              </tr>
+            ))}
+          </Fragment>
+        ))}
       </tbody>
     </ScrollTable>
   )
+}
+
+/** The scenes whose answer is known, as the solver plays them: the first seed, run when the site is built. */
+export function ScenesTable() {
+  const list = scenes
+    .filter((scene) => scene.build(1).length <= 60)
+    .map((scene) => {
+      const values = scene.measure(filmOf(scene))
+      const rows = scene.measures.map(({ name, unit, target }, i) => ({
+        measure: name,
+        value: values[i],
+        unit,
+        bound: target,
+      }))
+      return { title: scene.title, rows }
+    })
+  return <Rows label="Scenes with a known answer" bound="Target" scenes={list} />
+}
+
+/** The scenes that break solvers: the worst of three seeds, run when the site is built. */
+export function HardScenesTable() {
+  const list = hardScenes.map((scene) => {
+    const figures = hardFigures(scene, 3)
+    const rows = Object.entries(scene.bounds).map(([key, bound]) => ({
+      measure: key,
+      value: figures[key as keyof HardFigures] ?? Number.POSITIVE_INFINITY,
+      unit: hardUnits[key as keyof HardFigures],
+      bound,
+    }))
+    return { title: scene.title, rows }
+  })
+  return <Rows label="Scenes that break solvers" bound="Bound" scenes={list} />
 }

@@ -23,6 +23,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ElevationLadder: () => '',
   Install: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
+  HardScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   ScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   PropsTable: () => {
     const cell = (text: string) => text.replaceAll('|', '\\|')

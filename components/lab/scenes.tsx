@@ -6,14 +6,11 @@ import type { Scene } from '@/scenes/scene'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
 import { filmOf } from './film'
+import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 /** Scenes of more chips are for the benchmark; here they would keep a phone busy for a minute. */
 const shown = scenes.filter((scene) => scene.build(1).length <= 60)
-
-const digits = new Intl.NumberFormat('en', { maximumSignificantDigits: 2, notation: 'standard' })
-const figureOf = (value: number) =>
-  value !== 0 && Math.abs(value) < 1e-3 ? value.toExponential(0) : digits.format(value)
 
 export function ScenesFigure() {
   const id = useId()
@@ -46,9 +43,9 @@ export function ScenesFigure() {
           <span key={measure.name}>
             {measure.name}{' '}
             <strong className="font-medium text-foreground">
-              {figureOf(measured()[i])} {measure.unit}
+              {shortFigure(measured()[i])} {measure.unit}
             </strong>
-            {measure.target !== undefined && `, target ${figureOf(measure.target)}`}
+            {measure.target !== undefined && `, target ${shortFigure(measure.target)}`}
           </span>
         ))
       }
