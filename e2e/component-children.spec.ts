@@ -24,6 +24,10 @@ test('an added child drops in; the drop of the others does not start again', asy
   expect(await stage.overlap()).toBeLessThan(1)
   expect(await stage.hovering()).toBeLessThan(0.5)
   expect(await stage.probe((probe) => probe.states)).toEqual(['running', 'resting'])
+  // Those who were there can be grabbed as before.
+  await stage.drag(stage.chip('two'), 5, -60)
+  await expect(stage.chip('two')).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
 })
 
 test('a child added in front, a new order, and a render without change leave the pile as it lies', async ({

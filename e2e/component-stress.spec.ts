@@ -63,6 +63,7 @@ test('five hundred children come and go at random, and those who stay lie still 
   expect(new Set(await stage.states())).toEqual(new Set(['resting']))
   expect(await stage.overlap()).toBeLessThan(1)
   expect(await stage.outside()).toBeLessThan(1)
+  expect(await stage.hovering()).toBeLessThan(0.5)
   await page.evaluate(() => window.show([]))
   await expect(stage.chips).toHaveCount(0)
   await stage.reaches('resting')
