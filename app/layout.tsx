@@ -24,6 +24,12 @@ export const viewport: Viewport = {
   ],
 }
 
+const speculationRules = JSON.stringify({
+  prefetch: [
+    { where: { and: [{ href_matches: '/*' }, { not: { href_matches: '/*.*' } }] }, eagerness: 'moderate' },
+  ],
+})
+
 export default function Layout({ children }: { children: ReactNode }) {
   return (
     // The script below sets the theme on <html> before React looks at it.
@@ -31,6 +37,12 @@ export default function Layout({ children }: { children: ReactNode }) {
       <head>
         {/* biome-ignore lint/security/noDangerouslySetInnerHtml: our own script, must run before the first paint */}
         <script dangerouslySetInnerHTML={{ __html: preferencesScript }} />
+        {/* Pages are plain documents: a link that someone points at is fetched before the press. */}
+        <script
+          type="speculationrules"
+          // biome-ignore lint/security/noDangerouslySetInnerHtml: a constant of ours
+          dangerouslySetInnerHTML={{ __html: speculationRules }}
+        />
       </head>
       <body className="flex min-h-dvh flex-col font-sans">
         <SiteHeader />

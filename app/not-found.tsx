@@ -1,5 +1,4 @@
 import type { Metadata } from 'next'
-import Link from 'next/link'
 import { LostWords } from '@/components/lost-words'
 
 export const metadata: Metadata = { title: 'Page not found' }
@@ -13,13 +12,13 @@ export default function NotFound() {
           <h1 className="font-semibold text-4xl tracking-[-0.03em] sm:text-5xl">Page not found</h1>
           <p className="mt-4 text-muted-foreground">
             Try{' '}
-            <Link href="/docs/gravity-stack" className="pointer-events-auto underline underline-offset-4">
+            <a href="/docs/gravity-stack" className="pointer-events-auto underline underline-offset-4">
               the docs
-            </Link>{' '}
+            </a>{' '}
             or go{' '}
-            <Link href="/" className="pointer-events-auto underline underline-offset-4">
+            <a href="/" className="pointer-events-auto underline underline-offset-4">
               home
-            </Link>
+            </a>
             .
           </p>
         </div>

@@ -1,4 +1,3 @@
-import Link from 'next/link'
 import type { ReactNode } from 'react'
 import { Code } from '@/components/code-block'
 import { Command } from '@/components/command'
@@ -34,13 +33,13 @@ export default function Home() {
                   run={`shadcn@latest add ${siteUrl}/r/gravity-stack.json`}
                 />
               </div>
-              <Link
+              <a
                 href="/docs/gravity-stack"
                 className="group inline-flex items-center gap-2 rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
               >
                 Read the docs
                 <ArrowIcon className="transition-transform group-hover:translate-x-0.5" />
-              </Link>
+              </a>
             </div>
           </div>
         </Hero>
@@ -59,9 +58,9 @@ export default function Home() {
         {cost ? (
           <Fact figure={`${cost.micros} µs`} title="a frame, 60 chips awake">
             Measured on {cost.cpu}, beside every other engine and against exact answers.{' '}
-            <Link href="/benchmarks" className="underline underline-offset-4">
+            <a href="/benchmarks" className="underline underline-offset-4">
               Benchmarks
-            </Link>
+            </a>
           </Fact>
         ) : (
           <Fact figure="4" title="shapes, one family">
@@ -100,7 +99,7 @@ function Fact({ figure, title, children }: { figure: string; title: string; chil
 function Way({ href, title, children }: { href: string; title: string; children: ReactNode }) {
   return (
     <li>
-      <Link
+      <a
         href={href}
         className="group block h-full rounded-2xl border bg-panel p-6 transition-colors hover:border-foreground/40"
       >
@@ -111,7 +110,7 @@ function Way({ href, title, children }: { href: string; title: string; children:
         <span className="mt-2 block text-pretty text-muted-foreground text-sm leading-relaxed">
           {children}
         </span>
-      </Link>
+      </a>
     </li>
   )
 }

@@ -1,6 +1,5 @@
 'use client'
 
-import Link from 'next/link'
 import { usePathname } from 'next/navigation'
 
 export type Navigation = { title: string; pages: { title: string; href: string }[] }[]
@@ -15,14 +14,14 @@ export function DocsNavigation({ sections, onNavigate }: { sections: Navigation;
           <ul className="mt-2 space-y-0.5">
             {section.pages.map((page) => (
               <li key={page.href}>
-                <Link
+                <a
                   href={page.href}
                   onClick={onNavigate}
                   aria-current={path === page.href ? 'page' : undefined}
                   className="block rounded-md px-3 py-1.5 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
                 >
                   {page.title}
-                </Link>
+                </a>
               </li>
             ))}
           </ul>

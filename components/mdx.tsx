@@ -1,4 +1,3 @@
-import Link from 'next/link'
 import type { ComponentProps, ComponentType } from 'react'
 import * as React from 'react'
 import * as runtime from 'react/jsx-runtime'
@@ -43,7 +42,6 @@ const components: Record<string, unknown> = {
   h2: heading('h2'),
   h3: heading('h3'),
   h4: heading('h4'),
-  a: ({ href = '', ...props }: ComponentProps<'a'>) => <Link href={href} {...props} />,
   // rehype-pretty-code wraps each block in a figure.
   figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
     <figure {...props} className="code relative overflow-hidden rounded-xl border bg-panel">

@@ -1,5 +1,3 @@
-import Link from 'next/link'
-
 export function SiteFooter() {
   return (
     <footer data-print="hide" className="border-t">
@@ -7,14 +5,14 @@ export function SiteFooter() {
         <p>Gravity Stack, a component of liten. MIT licensed.</p>
         <ul className="flex flex-wrap gap-x-6 gap-y-2">
           <li>
-            <Link href="/docs/setup" className="hover:text-foreground">
+            <a href="/docs/setup" className="hover:text-foreground">
               Setup
-            </Link>
+            </a>
           </li>
           <li>
-            <Link href="/docs/gravity-stack" className="hover:text-foreground">
+            <a href="/docs/gravity-stack" className="hover:text-foreground">
               Docs
-            </Link>
+            </a>
           </li>
           <li>
             <a href="/r/registry.json" className="hover:text-foreground">

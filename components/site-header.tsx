@@ -1,4 +1,3 @@
-import Link from 'next/link'
 import { navigation } from '@/lib/docs'
 import { MobileNavigation } from './mobile-navigation'
 import { ThemeToggle } from './theme-toggle'
@@ -21,19 +20,19 @@ export function SiteHeader() {
         Skip to content
       </a>
       <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
-        <Link href="/" className="mr-4 flex items-center gap-2.5 font-semibold tracking-tight">
+        <a href="/" className="mr-4 flex items-center gap-2.5 font-semibold tracking-tight">
           <Mark className="size-6" />
           Gravity Stack
-        </Link>
+        </a>
         <nav aria-label="Main" className="hidden gap-1 sm:flex">
           {links.map((link) => (
-            <Link
+            <a
               key={link.href}
               href={link.href}
               className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground"
             >
               {link.title}
-            </Link>
+            </a>
           ))}
         </nav>
         <div className="ml-auto flex items-center gap-1">

@@ -1,5 +1,4 @@
 import type { Metadata } from 'next'
-import Link from 'next/link'
 import { navigation } from '@/lib/docs'
 
 export const metadata: Metadata = {
@@ -22,10 +21,10 @@ export default function Docs() {
           <ul className="mt-4 divide-y overflow-hidden rounded-2xl border bg-panel">
             {section.pages.map((page) => (
               <li key={page.href}>
-                <Link href={page.href} className="block px-5 py-4 transition-colors hover:bg-muted">
+                <a href={page.href} className="block px-5 py-4 transition-colors hover:bg-muted">
                   <span className="font-medium">{page.title}</span>
                   <span className="mt-1 block text-muted-foreground text-sm">{page.description}</span>
-                </Link>
+                </a>
               </li>
             ))}
           </ul>

@@ -1,5 +1,4 @@
 import type { Metadata } from 'next'
-import Link from 'next/link'
 import { notFound } from 'next/navigation'
 import { CopyButton } from '@/components/copy-button'
 import { Mdx } from '@/components/mdx'
@@ -80,12 +79,12 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
 
 function Neighbour({ word, title, href }: { word: string; title: string; href: string }) {
   return (
-    <Link
+    <a
       href={href}
       className="group -mx-3 rounded-lg px-3 py-2 transition-colors last:text-right hover:bg-muted"
     >
       <span className="block text-muted-foreground text-sm">{word}</span>
       <span className="font-medium">{title}</span>
-    </Link>
+    </a>
   )
 }
