@@ -7,7 +7,7 @@ import { settingName } from './engine'
 import { loadEngine } from './engines'
 import { median } from './film'
 import { type Cost, medianCost } from './job'
-import { bundleChild, runJob } from './run-job'
+import { bundle, runJob } from './run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -21,7 +21,7 @@ const { values: options } = parseArgs({
   },
 })
 
-const child = await bundleChild()
+const child = await bundle('child')
 const reference = (await loadEngine(options.against)).settings[0]
 const settings = options.substeps
   ? options.substeps.split(',').map((substeps) => ({ substeps: Number(substeps) }))

@@ -7,13 +7,13 @@ import type { Cost, Job } from './job'
 
 export const root = dirname(dirname(fileURLToPath(import.meta.url)))
 
-/** Bundles the child as an app would be: a development loader wraps functions, and that costs time. */
-export async function bundleChild() {
+/** Bundles a script of this folder as an app would be: development loaders wrap functions, and that costs time. */
+export async function bundle(script: string) {
   const folder = join(root, 'node_modules/.cache/gravity-stack-bench')
   mkdirSync(folder, { recursive: true })
-  const outfile = join(folder, `child-${process.pid}.mjs`)
+  const outfile = join(folder, `${script}-${process.pid}.mjs`)
   await build({
-    entryPoints: [join(root, 'bench/child.ts')],
+    entryPoints: [join(root, `bench/${script}.ts`)],
     outfile,
     bundle: true,
     format: 'esm',

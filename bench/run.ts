@@ -29,7 +29,7 @@ import { engineNames, loadEngine } from './engines'
 import { median } from './film'
 import { type Cost, type Job, medianCost } from './job'
 import { type ErrorRow, ours, type PourCostRow, type Results, type SceneCostRow, verdicts } from './report'
-import { bundleChild, type Outcome, root, runJob } from './run-job'
+import { bundle, type Outcome, root, runJob } from './run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -60,7 +60,7 @@ const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms of one job after which it is given up */
 const patience = 150_000
 
-const child = await bundleChild()
+const child = await bundle('child')
 const engines: Engine[] = []
 for (const name of chosenEngines) engines.push(await loadEngine(name))
 
