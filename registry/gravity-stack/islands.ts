@@ -1,7 +1,19 @@
 import { ANGLE, type Bodies, CORE, EXTENT, grown, INDEX, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { touch, type Walls } from './collide'
 import { LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
-import { CLEAR, CONTACT, type Contacts, gapBound, LOAD1, LOAD2, measure, POINTS } from './contacts'
+import {
+  CLEAR,
+  CONTACT,
+  type Contacts,
+  FROM_A,
+  FROM_B,
+  FROM_X,
+  FROM_Y,
+  LOAD1,
+  LOAD2,
+  measure,
+  POINTS,
+} from './contacts'
 
 /**
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
@@ -70,20 +82,6 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   const leaf = Math.max(a, b)
   parent[leaf] = root
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
-}
-
-/**
- * px, what the gap of contact `c` may be at least. Measured again only where the bound has grown loose.
- */
-function gapNow(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): number {
-  const k = c * CONTACT
-  if (contacts.data[k + POINTS] > 0) return -Infinity
-  const bound = gapBound(bodies, contacts, c)
-  if (bound > reach || contacts.data[k + CLEAR] - bound < LOOSE) return bound
-  touch.margin = MARGIN
-  measure(bodies, contacts, walls, c)
-  contacts.measured++
-  return touch.gap
 }
 
 /**
@@ -166,7 +164,7 @@ function gather(
   again: boolean,
 ): void {
   const { parent, reach } = islands
-  const { pair, mark } = contacts
+  const { data: d, head, mark, next, pair } = contacts
   const { state: s, shape, asleep } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
@@ -176,22 +174,40 @@ function gather(
     const a = i * STATE
     const vx = s[a + VX]
     const vy = s[a + VY]
-    const turning = shape[i * SHAPE + CORE] * Math.abs(s[a + SPIN])
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const coreA = shape[i * SHAPE + CORE]
+    const turning = coreA * Math.abs(s[a + SPIN])
+    for (let edge = head[i]; edge >= 0; edge = next[edge]) {
       const j = pair[edge ^ 1] & INDEX
       // The first round sees every pair once: from A, or from the chip at a wall.
       if (!again && j > 0 && (edge & 1) === 1) continue
-      const c = edge >> 1
+      const c = (edge >> 1) & INDEX
       if (mark[c] === -1 || asleep[j] === 1) continue
+      const k = c * CONTACT
       const b = j * STATE
+      const coreB = shape[j * SHAPE + CORE]
       const go =
-        STEP *
-        (Math.abs(s[b + VX] - vx) +
-          Math.abs(s[b + VY] - vy) +
-          turning +
-          shape[j * SHAPE + CORE] * Math.abs(s[b + SPIN]))
-      const may = go + fall + (again ? mine + (j > 0 ? reach[find(parent, j)] : 0) : 0)
-      if (gapNow(bodies, contacts, walls, c, may) > may) continue
+        STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
+      if (d[k + POINTS] === 0) {
+        let may = fall + go
+        if (again) {
+          const root = j > 0 ? find(parent, j) : 0
+          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
+        }
+        const sign = (edge & 1) === 0 ? 1 : -1
+        const shift =
+          Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
+          Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
+          coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
+          coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
+        if (d[k + CLEAR] - shift > may) continue
+        // Measured again only where that bound has grown loose.
+        if (!(shift < LOOSE)) {
+          touch.margin = MARGIN
+          measure(bodies, contacts, walls, c)
+          contacts.measured++
+          if (touch.gap > may) continue
+        }
+      }
       mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
       islands.near[islands.nearCount++] = c
