@@ -2,7 +2,7 @@ import { expect, test } from './fixtures/stage'
 
 test('out of view the stage pauses, and goes on where it was', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 500 })
-  await stage.open('pile', { chips: 12, below: 2000 })
+  await stage.open('pile', { chips: 40, below: 2000 })
   await expect(stage.chips.nth(5)).toHaveAttribute('data-state', 'falling')
   await page.mouse.wheel(0, 1500)
   await stage.reaches('paused')
