@@ -47,7 +47,8 @@ export type Outcome<J extends Job> = J extends { kind: 'errors' }
 
 /** The outcome of a job, or null when it took longer than `limit` milliseconds. Errors it had are shown. */
 export function runJob<J extends Job>(child: string, job: J, limit = 300_000): Promise<Outcome<J> | null> {
-  const flags = job.kind === 'allocation' ? ['--expose-gc', '--max-semi-space-size=256'] : []
+  const flags =
+    job.kind === 'allocation' ? ['--expose-gc', '--min-semi-space-size=256', '--max-semi-space-size=256'] : []
   return new Promise((resolve, reject) => {
     const options = { cwd: root, encoding: 'utf8' as const, timeout: limit, killSignal: 'SIGKILL' as const }
     execFile(process.execPath, [...flags, child, JSON.stringify(job)], options, (error, out, err) => {
