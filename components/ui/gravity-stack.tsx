@@ -450,7 +450,7 @@ const touch = {
   nx: 0,
   ny: 0,
   /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
-  points: new Float64Array(2 * 6),
+  points: new Float64Array(2 * 6) as Float64Array,
 }
 const AX = 0
 const AY = 1
@@ -510,7 +510,7 @@ function collide(bodies: Bodies, a: number, b: number): void {
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
  * In and out through one array: numbers handed over as arguments would be boxed.
  */
-const line = new Float64Array(10)
+const line: Float64Array = new Float64Array(10)
 const PX = 0
 const PY = 1
 const UX = 2
@@ -1382,7 +1382,7 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.y = y
   const samples = hold.samples
   samples.push({ x, y, seconds })
-  while (samples.length > 2 && samples[0].seconds < seconds - THROW_WINDOW) samples.shift()
+  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
 
 /** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
@@ -1893,20 +1893,6 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
 }
 
 /**
- * px, what the gap of contact `c` may be at least. Measured again only where the bound has grown loose.
- */
-function gapNow(bodies: Bodies, contacts: Contacts, walls: Walls, c: number, reach: number): number {
-  const k = c * CONTACT
-  if (contacts.data[k + POINTS] > 0) return -Infinity
-  const bound = gapBound(bodies, contacts, c)
-  if (bound > reach || contacts.data[k + CLEAR] - bound < LOOSE) return bound
-  touch.margin = MARGIN
-  measure(bodies, contacts, walls, c)
-  contacts.measured++
-  return touch.gap
-}
-
-/**
  * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
  * to the list and returns its new length.
  */
@@ -1986,7 +1972,7 @@ function gather(
   again: boolean,
 ): void {
   const { parent, reach } = islands
-  const { pair, mark } = contacts
+  const { data: d, head, mark, next, pair } = contacts
   const { state: s, shape, asleep } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
@@ -1996,22 +1982,40 @@ function gather(
     const a = i * STATE
     const vx = s[a + VX]
     const vy = s[a + VY]
-    const turning = shape[i * SHAPE + CORE] * Math.abs(s[a + SPIN])
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const coreA = shape[i * SHAPE + CORE]
+    const turning = coreA * Math.abs(s[a + SPIN])
+    for (let edge = head[i]; edge >= 0; edge = next[edge]) {
       const j = pair[edge ^ 1] & INDEX
       // The first round sees every pair once: from A, or from the chip at a wall.
       if (!again && j > 0 && (edge & 1) === 1) continue
-      const c = edge >> 1
+      const c = (edge >> 1) & INDEX
       if (mark[c] === -1 || asleep[j] === 1) continue
+      const k = c * CONTACT
       const b = j * STATE
+      const coreB = shape[j * SHAPE + CORE]
       const go =
-        STEP *
-        (Math.abs(s[b + VX] - vx) +
-          Math.abs(s[b + VY] - vy) +
-          turning +
-          shape[j * SHAPE + CORE] * Math.abs(s[b + SPIN]))
-      const may = go + fall + (again ? mine + (j > 0 ? reach[find(parent, j)] : 0) : 0)
-      if (gapNow(bodies, contacts, walls, c, may) > may) continue
+        STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
+      if (d[k + POINTS] === 0) {
+        let may = fall + go
+        if (again) {
+          const root = j > 0 ? find(parent, j) : 0
+          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
+        }
+        const sign = (edge & 1) === 0 ? 1 : -1
+        const shift =
+          Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
+          Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
+          coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
+          coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
+        if (d[k + CLEAR] - shift > may) continue
+        // Measured again only where that bound has grown loose.
+        if (!(shift < LOOSE)) {
+          touch.margin = MARGIN
+          measure(bodies, contacts, walls, c)
+          contacts.measured++
+          if (touch.gap > may) continue
+        }
+      }
       mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
       islands.near[islands.nearCount++] = c
@@ -2256,7 +2260,6 @@ function overlap(box: Float64Array, i: number, j: number): boolean {
 
 // solver: velocity and position sweeps ──────────────────────────────────────────────────────────────────────
 
-const ROWS = { n: 0 }
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
  * Those that move are marked as stirred for the sweep with number `round`.
@@ -2772,12 +2775,12 @@ function createWorld(options: WorldOptions) {
     hits: 0,
     rows: 0,
   }
-  let densities = new Float64Array(0)
-  let awake = new Int32Array(0)
+  let densities: Float64Array = new Float64Array(0)
+  let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
   let population = 0
-  let held = new Uint8Array(0)
-  let undrawn = new Uint8Array(0)
+  let held: Uint8Array = new Uint8Array(0)
+  let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
   /** Number of the present sweep. */
@@ -3070,7 +3073,7 @@ function createWorld(options: WorldOptions) {
     remove(id: number): void {
       if (!bodies.alive[id]) return
       disturb(id)
-      for (let n = holds.length - 1; n >= 0; n--) if (holds[n].body === id) holds.splice(n, 1)
+      for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
       let to = 0
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
@@ -3435,7 +3438,7 @@ function createStage(root: HTMLElement): Stage {
   /** Chips whose release is to come, the next one first. */
   let queue: Chip[] = []
   let bodies: Chip[] = []
-  let options: Required<StageOptions>
+  let options: StageOptions & { [name in keyof typeof LIMITS]: number }
   let world: World | undefined
   let width = 0
   let height = 0
@@ -3835,7 +3838,7 @@ function createStage(root: HTMLElement): Stage {
     // A way to move a chip without dragging.
     const chip = touched(event)
     if (!chip || (event.target as Element).closest(CONTROL)) return
-    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity!, HOP_GRAVITY)))
+    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
 
@@ -3975,6 +3978,8 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
     return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
   })
 }
+
+// @refresh reset: in development an edit anywhere in this file drops the pile anew.
 
 /**
  * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss.

@@ -17,7 +17,7 @@ export const touch = {
   nx: 0,
   ny: 0,
   /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
-  points: new Float64Array(2 * 6),
+  points: new Float64Array(2 * 6) as Float64Array,
 }
 export const AX = 0
 export const AY = 1
@@ -77,7 +77,7 @@ export function collide(bodies: Bodies, a: number, b: number): void {
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
  * In and out through one array: numbers handed over as arguments would be boxed.
  */
-const line = new Float64Array(10)
+const line: Float64Array = new Float64Array(10)
 const PX = 0
 const PY = 1
 const UX = 2

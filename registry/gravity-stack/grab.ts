@@ -151,7 +151,7 @@ export function recordHold(hold: Hold, x: number, y: number, seconds: number): v
   hold.y = y
   const samples = hold.samples
   samples.push({ x, y, seconds })
-  while (samples.length > 2 && samples[0].seconds < seconds - THROW_WINDOW) samples.shift()
+  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
 
 /** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */

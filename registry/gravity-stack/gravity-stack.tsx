@@ -66,6 +66,8 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   })
 }
 
+// @refresh reset: in development an edit anywhere in this file drops the pile anew.
+
 /**
  * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss.
  * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,

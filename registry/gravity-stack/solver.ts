@@ -74,7 +74,6 @@ import {
 } from './contacts'
 import { enterImpact, type ImpactScene, type Impacts, resolve } from './impacts'
 
-export const ROWS = { n: 0 }
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
  * Those that move are marked as stirred for the sweep with number `round`.

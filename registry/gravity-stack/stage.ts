@@ -160,7 +160,7 @@ export function createStage(root: HTMLElement): Stage {
   /** Chips whose release is to come, the next one first. */
   let queue: Chip[] = []
   let bodies: Chip[] = []
-  let options: Required<StageOptions>
+  let options: StageOptions & { [name in keyof typeof LIMITS]: number }
   let world: World | undefined
   let width = 0
   let height = 0
@@ -560,7 +560,7 @@ export function createStage(root: HTMLElement): Stage {
     // A way to move a chip without dragging.
     const chip = touched(event)
     if (!chip || (event.target as Element).closest(CONTROL)) return
-    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity!, HOP_GRAVITY)))
+    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
 

@@ -183,12 +183,12 @@ export function createWorld(options: WorldOptions) {
     hits: 0,
     rows: 0,
   }
-  let densities = new Float64Array(0)
-  let awake = new Int32Array(0)
+  let densities: Float64Array = new Float64Array(0)
+  let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
   let population = 0
-  let held = new Uint8Array(0)
-  let undrawn = new Uint8Array(0)
+  let held: Uint8Array = new Uint8Array(0)
+  let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
   /** Number of the present sweep. */
@@ -481,7 +481,7 @@ export function createWorld(options: WorldOptions) {
     remove(id: number): void {
       if (!bodies.alive[id]) return
       disturb(id)
-      for (let n = holds.length - 1; n >= 0; n--) if (holds[n].body === id) holds.splice(n, 1)
+      for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
       let to = 0
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
