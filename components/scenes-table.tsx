@@ -40,9 +40,7 @@ function Rows({
                   {i === 0 ? title : <span className="sr-only">{title}</span>}
                 </th>
                 <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground">{measure}</td>
-                <td className="whitespace-nowrap px-4 py-1.5 tabular-nums">
-                  {shortFigure(value)} {unit}
-                </td>
+                <td className="whitespace-nowrap px-4 py-1.5 tabular-nums">{shortFigure(value, unit)}</td>
                 <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground tabular-nums">
                   {bound === undefined ? '–' : shortFigure(bound)}
                   {bound !== undefined && !(value <= bound) && (

@@ -11,7 +11,7 @@ import { useLazy } from './use-lazy'
 /** The scenes that break solvers, played by the component's solver in this browser, each figure beside its bound. */
 export function HardScenesFigure() {
   const id = useId()
-  const [name, setName] = useState('crammed')
+  const [name, setName] = useState('dragged-through-everything')
   const [seed, setSeed] = useState(1)
   const scene = hardScenes.find((candidate) => candidate.name === name)!
   const run = useLazy(() => {
@@ -49,7 +49,7 @@ export function HardScenesFigure() {
           <span key={key}>
             {key}{' '}
             <strong className="font-medium text-foreground">
-              {shortFigure(run().figures[key as keyof HardFigures])} {hardUnits[key as keyof HardFigures]}
+              {shortFigure(run().figures[key as keyof HardFigures], hardUnits[key as keyof HardFigures])}
             </strong>
             , bound {bound}
           </span>

@@ -43,7 +43,7 @@ export function ScenesFigure() {
           <span key={measure.name}>
             {measure.name}{' '}
             <strong className="font-medium text-foreground">
-              {shortFigure(measured()[i])} {measure.unit}
+              {shortFigure(measured()[i], measure.unit)}
             </strong>
             {measure.target !== undefined && `, target ${shortFigure(measure.target)}`}
           </span>
