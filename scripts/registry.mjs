@@ -1,6 +1,7 @@
-// Builds the registry into public/r from registry.json and the files it names.
-//   node scripts/registry.mjs [folder]  writes public/r, or into that folder
-//   node scripts/registry.mjs --check   fails when public/r isn't what a fresh build gives
+// Builds the registry from registry.json and the files it names: public/r, and public/directory.json, which is our
+// entry for shadcn's directory of registries.
+//   node scripts/registry.mjs [folder]  writes into public, or into that folder
+//   node scripts/registry.mjs --check   fails when public isn't what a fresh build gives
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
@@ -9,7 +10,7 @@ import { siteUrl, version } from '../site.config.mjs'
 import { isMain, must, root } from './run.mjs'
 
 const index = join(root, 'registry.json')
-const served = join(root, 'public/r')
+const served = join(root, 'public')
 
 /** The custom properties of the site's own elevation ladder, as an item's `cssVars`. */
 async function elevation() {
@@ -46,30 +47,43 @@ async function source() {
   return { ...rest, items: items.map((item) => ({ ...item, meta: { ...item.meta, version } })) }
 }
 
+async function directoryEntry() {
+  const { name, items } = await source()
+  const logo = await readFile(join(root, 'app/icon.svg'), 'utf8')
+  return {
+    name: `@${name}`,
+    homepage: siteUrl,
+    url: `${siteUrl}/r/{name}.json`,
+    description: items[0].description,
+    logo: logo.replace(/\n\s*/g, ''),
+  }
+}
+
 export async function buildRegistry(output = served) {
   const folder = await mkdtemp(join(tmpdir(), 'registry-'))
   const file = join(folder, 'registry.json')
   await writeFile(file, JSON.stringify(await source()))
-  await rm(output, { recursive: true, force: true })
-  await must('shadcn', ['build', file, '--cwd', root, '--output', output])
+  await rm(join(output, 'r'), { recursive: true, force: true })
+  await must('shadcn', ['build', file, '--cwd', root, '--output', join(output, 'r')])
   await rm(folder, { recursive: true })
+  await writeFile(join(output, 'directory.json'), `${JSON.stringify(await directoryEntry(), null, 2)}\n`)
 }
 
-const readAll = async (folder) => {
-  const names = (await readdir(folder).catch(() => [])).sort()
-  return new Map(
-    await Promise.all(names.map(async (name) => [name, await readFile(join(folder, name), 'utf8')])),
-  )
+async function readAll(folder) {
+  const names = await readdir(join(folder, 'r')).catch(() => [])
+  const paths = ['directory.json', ...names.map((name) => join('r', name))]
+  const read = async (path) => [path, await readFile(join(folder, path), 'utf8').catch(() => '')]
+  return new Map(await Promise.all(paths.map(read)))
 }
 
 /** The names of files that a fresh build would change, add or drop. */
 export async function staleFiles() {
   if (await takeTokens({ write: false })) return ['registry.json']
-  const fresh = await mkdtemp(join(tmpdir(), 'registry-'))
-  await buildRegistry(fresh)
-  const [now, then] = [await readAll(fresh), await readAll(served)]
-  await rm(fresh, { recursive: true })
-  return [...new Set([...now.keys(), ...then.keys()])].filter((name) => now.get(name) !== then.get(name))
+  const folder = await mkdtemp(join(tmpdir(), 'registry-'))
+  await buildRegistry(folder)
+  const [now, then] = [await readAll(folder), await readAll(served)]
+  await rm(folder, { recursive: true })
+  return [...new Set([...now.keys(), ...then.keys()])].filter((path) => now.get(path) !== then.get(path))
 }
 
 if (isMain(import.meta.url)) {

@@ -49,13 +49,27 @@ test('the address given at build time is the only one in what is served', async 
     cwd: root,
     env: { ...process.env, SITE_URL },
   })
-  const index = await read(join(folder, 'registry.json'))
+  const index = await read(join(folder, 'r/registry.json'))
   expect(index.homepage).toBe(SITE_URL)
-  const demo = await read(join(folder, 'gravity-stack-demo.json'))
+  const demo = await read(join(folder, 'r/gravity-stack-demo.json'))
   expect(demo.registryDependencies).toEqual([`${SITE_URL}/r/gravity-stack.json`])
   // The component's own file has the address from `assemble`, which the site's build runs first.
-  for (const file of (await readdir(folder)).filter((name) => name !== 'gravity-stack.json')) {
+  const files = (await readdir(folder, { recursive: true })).filter((path) => path.endsWith('.json'))
+  for (const file of files.filter((path) => path !== join('r', 'gravity-stack.json'))) {
     expect(await readFile(join(folder, file), 'utf8'), file).not.toContain('localhost')
   }
   await rm(folder, { recursive: true })
+})
+
+test('the entry for the directory has all it asks for, and a square logo', async () => {
+  const entry = await read(join(root, 'public/directory.json'))
+  expect(entry).toEqual({
+    name: expect.stringMatching(/^@[a-z-]+$/),
+    homepage: expect.any(String),
+    url: `${entry.homepage}/r/{name}.json`,
+    description: expect.any(String),
+    logo: expect.stringMatching(/^<svg /),
+  })
+  const [, , width, height] = entry.logo.match(/viewBox="(\S+) (\S+) (\S+) (\S+)"/).slice(1)
+  expect(width).toBe(height)
 })

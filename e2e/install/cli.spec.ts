@@ -62,6 +62,16 @@ test('the MCP server finds the examples by name and hands out their code', async
   expect(content[0].text).toContain('<GravityStack className="h-80">')
 })
 
+test('pages anywhere may read the registry, for five minutes from their cache', async ({ request }) => {
+  const response = await request.get(item('gravity-stack'))
+  expect(response.headers()).toMatchObject({
+    'access-control-allow-origin': '*',
+    'cache-control': 'public, max-age=300',
+    'content-type': expect.stringMatching(/^application\/json/),
+    'content-encoding': expect.stringMatching(/gzip|br/),
+  })
+})
+
 test('a dry run says what would change and changes nothing', async ({ make }) => {
   const project = await make('bare')
   await bare(project)

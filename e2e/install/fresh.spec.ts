@@ -35,6 +35,7 @@ test('a new Next project has a falling pile one command later', async ({ make, p
     'app/topics.tsx': await docsCode('gravity-stack', { heading: 'Usage' }),
     'app/page.tsx': "export { Topics as default } from './topics'\n",
   })
+  await project.run('npx', ['biome', 'lint', 'components'])
   await project.run('npm', ['run', 'build'])
   const server = await project.serve('next', (port) => ['start', '--port', `${port}`])
   await expectPile(page, server.url)
