@@ -51,18 +51,19 @@ async function readRoom(name) {
   return { name, path, source, imports, body: source.replace(IMPORT, '').trim() }
 }
 
-/** The rooms that `entry` needs, each after those it imports. */
+const rank = (name) => Object.keys(headings).indexOf(name)
+
+/** The rooms that `entry` needs, each after those it imports, else in the order of the headings. */
 async function inOrder() {
   const ordered = []
   const visit = async (name, from = []) => {
     if (from.includes(name)) throw new Error(`Rooms import each other: ${[...from, name].join(' → ')}`)
     if (ordered.some((room) => room.name === name)) return
     const room = await readRoom(name)
-    for (const { text, from: source } of room.imports) {
-      if (!source.startsWith('.')) continue
-      if (/\sas\s/.test(text)) throw new Error(`${room.path}: ${source} is imported under another name`)
-      await visit(source.slice(2), [...from, name])
-    }
+    const renamed = room.imports.find(({ text, from }) => from.startsWith('.') && /\sas\s/.test(text))
+    if (renamed) throw new Error(`${room.path}: ${renamed.from} is imported under another name`)
+    const needed = room.imports.flatMap(({ from }) => (from.startsWith('.') ? [from.slice(2)] : []))
+    for (const other of needed.sort((a, b) => rank(a) - rank(b))) await visit(other, [...from, name])
     ordered.push(room)
   }
   await visit(entry)
@@ -94,7 +95,9 @@ export async function assemble() {
   refuseCollisions(ordered)
   const external = new Map()
   for (const { text, from } of ordered.flatMap(({ imports }) => imports)) {
-    if (!from.startsWith('.')) external.set(from, text)
+    if (from.startsWith('.')) continue
+    if ((external.get(from) ?? text) !== text) throw new Error(`${from} is imported in two ways`)
+    external.set(from, text)
   }
   const parts = ordered.map(({ name, body }) => {
     if (!headings[name]) throw new Error(`${name} needs a heading in scripts/assemble.mjs`)
