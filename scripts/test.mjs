@@ -92,4 +92,4 @@ await tests(
 
 console.log(failures.length > 0 ? `\nFailed:\n  ${failures.join('\n  ')}\n` : '')
 console.log(`${totals.passed} passed, ${totals.failed} failed`)
-process.exit(totals.failed > 0 || totals.passed === 0 ? 1 : 0)
+process.exitCode = totals.failed > 0 || totals.passed === 0 ? 1 : 0
