@@ -155,29 +155,29 @@ export function setShape(
 
 /** cos and sin of `angle` by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
 export function direction(angle: number, out: { cos: number; sin: number }): void {
-  const turn = angle - Math.round(angle / (2 * Math.PI)) * (2 * Math.PI)
-  // A quarter of the angle is at most 0.79 rad; the series is short there. Doubled twice afterwards.
-  const a = turn / 4
+  const quarter = Math.round(angle / (Math.PI / 2))
+  // At most 0.79 rad from the nearest quarter turn: the series is short there.
+  const a = angle - quarter * (Math.PI / 2)
   const aa = a * a
-  let sin =
+  const sin =
     a *
     (1 -
       (aa / 6) *
         (1 -
           (aa / 20) *
             (1 - (aa / 42) * (1 - (aa / 72) * (1 - (aa / 110) * (1 - (aa / 156) * (1 - aa / 210)))))))
-  let cos =
+  const cos =
     1 -
     (aa / 2) *
       (1 -
-        (aa / 12) * (1 - (aa / 30) * (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - aa / 182))))))
-  for (let k = 0; k < 2; k++) {
-    const s = 2 * sin * cos
-    cos = 1 - 2 * sin * sin
-    sin = s
-  }
-  out.cos = cos
-  out.sin = sin
+        (aa / 12) *
+          (1 -
+            (aa / 30) *
+              (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - (aa / 182) * (1 - aa / 240)))))))
+  const odd = quarter % 2 !== 0
+  const back = quarter - 4 * Math.floor(quarter / 4)
+  out.cos = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
+  out.sin = (odd ? cos : sin) * (back > 1 ? -1 : 1)
 }
 
 const heading = { cos: 1, sin: 0 }

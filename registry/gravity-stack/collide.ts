@@ -156,7 +156,10 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   const crossed = square < TINY
   if (crossed) {
     // Cores that cross part along the shorter way across one of them.
-    onA = uu > 0 && uu >= vv
+    const area = Math.abs(ux * vy - uy * vx)
+    const acrossA = (area - Math.abs(ux * py - uy * px)) * Math.sqrt(vv)
+    const acrossB = (area - Math.abs(vx * py - vy * px)) * Math.sqrt(uu)
+    onA = uu > 0 && (vv === 0 || acrossA <= acrossB)
     onB = !onA && vv > 0
     const lx = onA ? ux : vx
     const ly = onA ? uy : vy
