@@ -64,6 +64,8 @@ const SLOP = 0.004
 const PUSH = 0.5
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 const MAX_PUSH = 4
+/** px, the deepest that a chip may be pressed into a wall at the end of a step. */
+const WALL_GIVE = 0.25
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
@@ -99,82 +101,6 @@ const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 100
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
-
-// drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
-
-// Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So the scatter is integer hashing and + − × ÷ √ only, and a release falls in the middle of a step of the world:
-// no rounding of frame times can move it to another one.
-
-/** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
-const GOLDEN_SHARE = 0.6180339887498949
-/** Most that a release strays from its place, as a share of the width. */
-const STRAY = 0.05
-/** s, most that a release comes late. */
-const LATE = 0.12
-/** px between the top edge of the stage and the lower edge of a chip: least, and what scatter adds. */
-const CLEARANCE = 24
-const CLEARANCE_SCATTER = 120
-/** rad either way. The release box below takes its sine as 1/4. */
-const TILT = 0.25
-/** px/s either way. */
-const DRIFT = 40
-/** rad/s either way. */
-const TWIST = 1.2
-/** px/s² below which gravity alone would not bring a chip into view, and px/s that it starts with instead. */
-const FAINT_GRAVITY = 100
-const FAINT_SPEED = 240
-
-/** A hash of two integers as a number in [0, 1). Mixing steps: Chris Wellons' lowbias32. */
-function scatter(index: number, channel: number): number {
-  let n = Math.imul(index * 8 + channel + 1, 0x9e3779b9)
-  n = Math.imul(n ^ (n >>> 16), 0x7feb352d)
-  n = Math.imul(n ^ (n >>> 15), 0x846ca68b)
-  return ((n ^ (n >>> 16)) >>> 0) / 4294967296
-}
-
-/** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
-function releaseTime(index: number, slot: number): number {
-  return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
-}
-
-/** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
-interface Obstacle {
-  x: number
-  y: number
-  reach: number
-}
-
-/** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
-function releasePose(
-  index: number,
-  width: number,
-  height: number,
-  stageWidth: number,
-  gravity: number,
-  obstacles: Obstacle[],
-) {
-  const either = (channel: number) => 2 * scatter(index, channel) - 1
-  const halfWidth = width / 2 + height / 8
-  const halfHeight = height / 2 + width / 8
-  const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
-  const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
-  let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
-  // From the lowest top to the highest: whatever has been cleared once stays clear.
-  obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
-  for (const other of obstacles) {
-    if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
-      y = other.y - other.reach - halfHeight - 1
-  }
-  return {
-    x,
-    y,
-    angle: TILT * either(3),
-    vx: DRIFT * either(4),
-    vy: gravity < FAINT_GRAVITY ? FAINT_SPEED : 0,
-    spin: TWIST * either(5),
-  }
-}
 
 // body: shapes, mass, inertia, the flat arrays that bodies live in ──────────────────────────────────────────
 
@@ -333,29 +259,29 @@ function setShape(
 
 /** cos and sin of `angle` by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
 function direction(angle: number, out: { cos: number; sin: number }): void {
-  const turn = angle - Math.round(angle / (2 * Math.PI)) * (2 * Math.PI)
-  // A quarter of the angle is at most 0.79 rad; the series is short there. Doubled twice afterwards.
-  const a = turn / 4
+  const quarter = Math.round(angle / (Math.PI / 2))
+  // At most 0.79 rad from the nearest quarter turn: the series is short there.
+  const a = angle - quarter * (Math.PI / 2)
   const aa = a * a
-  let sin =
+  const sin =
     a *
     (1 -
       (aa / 6) *
         (1 -
           (aa / 20) *
             (1 - (aa / 42) * (1 - (aa / 72) * (1 - (aa / 110) * (1 - (aa / 156) * (1 - aa / 210)))))))
-  let cos =
+  const cos =
     1 -
     (aa / 2) *
       (1 -
-        (aa / 12) * (1 - (aa / 30) * (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - aa / 182))))))
-  for (let k = 0; k < 2; k++) {
-    const s = 2 * sin * cos
-    cos = 1 - 2 * sin * sin
-    sin = s
-  }
-  out.cos = cos
-  out.sin = sin
+        (aa / 12) *
+          (1 -
+            (aa / 30) *
+              (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - (aa / 182) * (1 - aa / 240)))))))
+  const odd = quarter % 2 !== 0
+  const back = quarter - 4 * Math.floor(quarter / 4)
+  out.cos = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
+  out.sin = (odd ? cos : sin) * (back > 1 ? -1 : 1)
 }
 
 const heading = { cos: 1, sin: 0 }
@@ -589,7 +515,10 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   const crossed = square < TINY
   if (crossed) {
     // Cores that cross part along the shorter way across one of them.
-    onA = uu > 0 && uu >= vv
+    const area = Math.abs(ux * vy - uy * vx)
+    const acrossA = (area - Math.abs(ux * py - uy * px)) * Math.sqrt(vv)
+    const acrossB = (area - Math.abs(vx * py - vy * px)) * Math.sqrt(uu)
+    onA = uu > 0 && (vv === 0 || acrossA <= acrossB)
     onB = !onA && vv > 0
     const lx = onA ? ux : vx
     const ly = onA ? uy : vy
@@ -1246,849 +1175,6 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
   return contacts.data[c * CONTACT + CLEAR] - shift(bodies, contacts, c)
 }
 
-// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
-
-/**
- * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
- * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
- */
-interface Hold {
-  body: number
-  /** Grabbed point in the body's own axes, px from its centre. */
-  localX: number
-  localY: number
-  /** Where the pointer is, and where it was lately. */
-  x: number
-  y: number
-  samples: { x: number; y: number; seconds: number }[]
-  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
-  impulseX: number
-  impulseY: number
-  rate: number
-  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
-  rx: number
-  ry: number
-  k11: number
-  k12: number
-  k22: number
-  biasX: number
-  biasY: number
-  massScale: number
-  impulseScale: number
-  limit: number
-}
-
-function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
-  const c = bodies.motion[body * MOTION + COS]
-  const s = bodies.motion[body * MOTION + SIN]
-  const dx = x - bodies.state[body * STATE + X]
-  const dy = y - bodies.state[body * STATE + Y]
-  return {
-    body,
-    localX: c * dx + s * dy,
-    localY: c * dy - s * dx,
-    x,
-    y,
-    samples: [],
-    impulseX: 0,
-    impulseY: 0,
-    rate: 0,
-    rx: 0,
-    ry: 0,
-    k11: 0,
-    k12: 0,
-    k22: 0,
-    biasX: 0,
-    biasY: 0,
-    massScale: 0,
-    impulseScale: 0,
-    limit: 0,
-  }
-}
-
-/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
-function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
-  const i = hold.body * STATE
-  const s = bodies.state
-  const cos = bodies.motion[hold.body * MOTION + COS]
-  const sin = bodies.motion[hold.body * MOTION + SIN]
-  const rx = cos * hold.localX - sin * hold.localY
-  const ry = sin * hold.localX + cos * hold.localY
-  const m = s[i + INV_MASS]
-  const n = s[i + INV_INERTIA]
-  const omega = 2 * Math.PI * GRAB_HERTZ
-  const a1 = 2 * GRAB_DAMPING + h * omega
-  const a2 = h * omega * a1
-  const a3 = 1 / (1 + a2)
-  hold.massScale = a2 * a3
-  hold.impulseScale = a3
-  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
-  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
-  const k11 = m + n * ry * ry
-  const k12 = -n * rx * ry
-  const k22 = m + n * rx * rx
-  const det = 1 / (k11 * k22 - k12 * k12)
-  hold.k11 = k22 * det
-  hold.k12 = -k12 * det
-  hold.k22 = k11 * det
-  hold.rx = rx
-  hold.ry = ry
-  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
-}
-
-/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
-function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
-  const m = hold.body * MOTION
-  const i = hold.body * STATE
-  if (hold.rate !== substeps) {
-    hold.impulseX *= hold.rate / substeps
-    hold.impulseY *= hold.rate / substeps
-    hold.rate = substeps
-  }
-  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
-  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
-  bodies.motion[m + PUSH_SPIN] +=
-    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
-}
-
-function solveHold(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const { rx, ry } = hold
-  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
-  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
-  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
-  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
-  const size = Math.sqrt(x * x + y * y)
-  if (size > hold.limit) {
-    x *= hold.limit / size
-    y *= hold.limit / size
-  }
-  const dx = x - hold.impulseX
-  const dy = y - hold.impulseY
-  hold.impulseX = x
-  hold.impulseY = y
-  s[i + VX] += s[i + INV_MASS] * dx
-  s[i + VY] += s[i + INV_MASS] * dy
-  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
-}
-
-/** s of the pointer's way that a throw is fitted to. */
-const THROW_WINDOW = 0.08
-
-/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
-function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
-  hold.x = x
-  hold.y = y
-  const samples = hold.samples
-  samples.push({ x, y, seconds })
-  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
-}
-
-/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
-function throwVelocity(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const samples = hold.samples
-  if (samples.length > 1) {
-    let t = 0
-    let x = 0
-    let y = 0
-    for (const sample of samples) {
-      t += sample.seconds / samples.length
-      x += sample.x / samples.length
-      y += sample.y / samples.length
-    }
-    let tt = 0
-    let tx = 0
-    let ty = 0
-    for (const sample of samples) {
-      tt += (sample.seconds - t) * (sample.seconds - t)
-      tx += (sample.seconds - t) * (sample.x - x)
-      ty += (sample.seconds - t) * (sample.y - y)
-    }
-    if (tt > 0) {
-      const vx = tx / tt
-      const vy = ty / tt
-      const offX = s[i + X] + hold.rx - hold.x
-      const offY = s[i + Y] + hold.ry - hold.y
-      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
-      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx
-        s[i + VY] = vy
-      }
-    }
-  }
-  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
-  if (speed > MAX_TOSS) {
-    s[i + VX] *= MAX_TOSS / speed
-    s[i + VY] *= MAX_TOSS / speed
-  }
-}
-
-// impacts: bounces, at their time inside the step ───────────────────────────────────────────────────────────
-
-/**
- * Bounces, each at its time inside the sub-step: the velocity changes at the start of it, and the pose goes back by
- * what the change would have moved too early. Exact for a single impact, at any step.
- */
-interface Impacts {
-  /** Contacts of the cluster under way. */
-  list: Int32Array
-  count: number
-  /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
-  bodies: Int32Array
-  bodyCount: number
-  before: Float64Array
-  when: Float64Array
-  /** Number of the phase that last reached each body. */
-  mark: Int32Array
-  phase: number
-  sweeps: number
-  /** px/s, the hardest hit of the cluster. */
-  fastest: number
-}
-
-function createImpacts(): Impacts {
-  return {
-    list: new Int32Array(64),
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyCount: 0,
-    before: new Float64Array(0),
-    when: new Float64Array(0),
-    mark: new Int32Array(0),
-    phase: 0,
-    sweeps: 0,
-    fastest: 0,
-  }
-}
-
-function reserveImpacts(impacts: Impacts, bodies: number): void {
-  if (impacts.mark.length >= bodies) return
-  impacts.bodies = grown(impacts.bodies, bodies)
-  impacts.before = grown(impacts.before, bodies * 3)
-  impacts.when = grown(impacts.when, bodies)
-  impacts.mark = grown(impacts.mark, bodies)
-}
-
-/** Gravity, bounce and the rest of what an impact needs to know. */
-interface ImpactScene {
-  bodies: Bodies
-  contacts: Contacts
-  walls: Walls
-  gravity: number
-  bounce: number
-  friction: number
-  threshold: number
-}
-
-/** px/s, velocity along the normal of point 1 (or 2). */
-function approach(
-  state: Float64Array,
-  d: Float64Array,
-  k: number,
-  a: number,
-  b: number,
-  second: boolean,
-): number {
-  const along = d[k + NX] * (state[b + VX] - state[a + VX]) + d[k + NY] * (state[b + VY] - state[a + VY])
-  return second
-    ? along + d[k + NB2] * state[b + SPIN] - d[k + NA2] * state[a + SPIN]
-    : along + d[k + NB1] * state[b + SPIN] - d[k + NA1] * state[a + SPIN]
-}
-
-/** px/s, change of that velocity over the sub-step by gravity and the contacts that already push. */
-function pull(scene: ImpactScene, k: number, a: number, b: number, second: boolean, h: number): number {
-  const d = scene.contacts.data
-  const m = scene.bodies.motion
-  const ma = a * MOTION
-  const mb = b * MOTION
-  const fallA = a > 0 ? scene.gravity * h : 0
-  const fallB = b > 0 ? scene.gravity * h : 0
-  const along =
-    d[k + NX] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-    d[k + NY] * (m[mb + PUSH_Y] + fallB - m[ma + PUSH_Y] - fallA)
-  return second
-    ? along + d[k + NB2] * m[mb + PUSH_SPIN] - d[k + NA2] * m[ma + PUSH_SPIN]
-    : along + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN]
-}
-
-/** The impact that `predict` found. */
-const ahead = { time: 0, goal: 0, speed: 0 }
-
-/**
- * Whether a point of contact `c` will hit within `h` hard enough to bounce; when, and with what velocity at the start
- * of the sub-step it would leave as it should.
- */
-function predict(scene: ImpactScene, c: number, second: boolean, h: number): boolean {
-  const { bodies, contacts } = scene
-  const k = c * CONTACT
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const v = approach(bodies.state, contacts.data, k, a * STATE, b * STATE, second)
-  if (v > 0) return false
-  const gap = Math.max(0, gapOf(bodies, contacts, c, second))
-  const change = pull(scene, k, a, b, second, h)
-  if (gap + (v + 0.5 * change) * h >= 0) return false
-  const rate = change / h
-  const square = v * v - 2 * rate * gap
-  if (square < scene.threshold * scene.threshold) return false
-  const hit = -Math.sqrt(square)
-  const time = Math.min(h, (2 * gap) / (-v - hit))
-  // A bounce so low that it would land again within the sub-step is left to rest.
-  const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
-  ahead.time = time
-  ahead.speed = -hit
-  ahead.goal = -e * hit - (hit - v)
-  return true
-}
-
-/** Takes contact `c` into the cluster with both goals and a time. */
-function enlist(
-  impacts: Impacts,
-  scene: ImpactScene,
-  c: number,
-  goal1: number,
-  goal2: number,
-  when: number,
-  h: number,
-): void {
-  const { bodies, contacts } = scene
-  if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
-  impacts.list[impacts.count++] = c
-  contacts.mark[c] = impacts.phase
-  const k = c * CONTACT
-  const d = contacts.data
-  d[k + GOAL1] = goal1
-  d[k + GOAL2] = goal2
-  d[k + HIT1] = 0
-  d[k + HIT2] = 0
-  d[k + HIT_T] = 0
-  const m = bodies.motion
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const ma = a * MOTION
-  const mb = b * MOTION
-  const fall = (b > 0 ? scene.gravity * h : 0) - (a > 0 ? scene.gravity * h : 0)
-  const slip =
-    d[k + NX] * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) -
-    d[k + NY] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-    d[k + TB] * m[mb + PUSH_SPIN] -
-    d[k + TA] * m[ma + PUSH_SPIN]
-  d[k + GOAL_T] = (-slip * when) / h
-  reach(impacts, scene, contacts.pair[2 * c], when)
-  reach(impacts, scene, contacts.pair[2 * c + 1], when)
-}
-
-function reach(impacts: Impacts, scene: ImpactScene, i: number, when: number): void {
-  if (i === 0 || impacts.mark[i] === impacts.phase) return
-  impacts.mark[i] = impacts.phase
-  const state = scene.bodies.state
-  const n = impacts.bodyCount++
-  impacts.bodies[n] = i
-  impacts.before[n * 3] = state[i * STATE + VX]
-  impacts.before[n * 3 + 1] = state[i * STATE + VY]
-  impacts.before[n * 3 + 2] = state[i * STATE + SPIN]
-  impacts.when[i] = when
-}
-
-/** Measures contact `c` at the poses that its bodies will have when it hits: the geometry of the impact, not of its eve. */
-function measureAt(scene: ImpactScene, c: number, time: number, h: number): void {
-  const { bodies, contacts } = scene
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const s = bodies.state
-  const ax = s[a * STATE + X]
-  const ay = s[a * STATE + Y]
-  const aa = s[a * STATE + ANGLE]
-  const bx = s[b * STATE + X]
-  const by = s[b * STATE + Y]
-  const ba = s[b * STATE + ANGLE]
-  advance(scene, a, time, h)
-  advance(scene, b, time, h)
-  touch.margin = MARGIN
-  measure(bodies, contacts, scene.walls, c)
-  s[a * STATE + X] = ax
-  s[a * STATE + Y] = ay
-  s[a * STATE + ANGLE] = aa
-  s[b * STATE + X] = bx
-  s[b * STATE + Y] = by
-  s[b * STATE + ANGLE] = ba
-}
-
-function advance(scene: ImpactScene, i: number, time: number, h: number): void {
-  if (i === 0) return
-  const { state, motion } = scene.bodies
-  const s = i * STATE
-  const m = i * MOTION
-  const half = (0.5 * time * time) / h
-  state[s + X] += state[s + VX] * time + motion[m + PUSH_X] * half
-  state[s + Y] += state[s + VY] * time + motion[m + PUSH_Y] * half + 0.5 * scene.gravity * time * time
-  state[s + ANGLE] += state[s + SPIN] * time + motion[m + PUSH_SPIN] * half
-}
-
-/** Empties the cluster for a new sub-step. */
-function clearImpacts(impacts: Impacts): void {
-  impacts.count = 0
-  impacts.bodyCount = 0
-  impacts.phase++
-  impacts.fastest = 0
-}
-
-/** Contact `c` joins the cluster if one of its points will hit. */
-function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
-  const d = scene.contacts.data
-  const k = c * CONTACT
-  if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
-  // Measured again at the time of impact until that time stands still.
-  let time = ahead.time
-  for (let n = 0; n < 6; n++) {
-    measureAt(scene, c, time, h)
-    if (d[k + POINTS] === 0) return
-    let next = predict(scene, c, false, h) ? ahead.time : h
-    if (d[k + POINTS] > 1 && predict(scene, c, true, h)) next = Math.min(next, ahead.time)
-    const step = next - time
-    time = next
-    if (step < 1e-13 && step > -1e-13) break
-  }
-  const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
-  if (goal1 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
-  const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
-  if (goal2 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
-  if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time, h)
-}
-
-/** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
-  const { bodies, contacts } = scene
-  const state = bodies.state
-  const d = contacts.data
-  for (let n = 0; n < IMPACT_SWEEPS; n++) {
-    // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
-    const exact = impacts.count === 1
-    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, IMPACT_SHARE * impacts.fastest)
-    const passOn = Math.max(IMPACT_SPREAD, IMPACT_SPREAD_SHARE * impacts.fastest)
-    const before = impacts.count
-    let most = 0
-    for (let i = 0; i < impacts.count; i++) {
-      const c = impacts.list[i]
-      hit(state, d, contacts.pair, c, scene.friction)
-      const change = d[c * CONTACT + CHANGE]
-      if (change > most) most = change
-      if (change > passOn) {
-        spread(impacts, scene, contacts.pair[2 * c], passOn, h)
-        spread(impacts, scene, contacts.pair[2 * c + 1], passOn, h)
-      }
-    }
-    impacts.sweeps += impacts.count
-    if (most < still && impacts.count === before) break
-  }
-  keepEnergy(impacts, scene, h)
-  for (let n = 0; n < impacts.bodyCount; n++) {
-    const i = impacts.bodies[n]
-    const s = i * STATE
-    const when = impacts.when[i]
-    const dx = (state[s + VX] - impacts.before[n * 3]) * when
-    const dy = (state[s + VY] - impacts.before[n * 3 + 1]) * when
-    const by = (state[s + SPIN] - impacts.before[n * 3 + 2]) * when
-    state[s + X] -= dx
-    state[s + Y] -= dy
-    state[s + ANGLE] -= by
-  }
-}
-
-/** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
-function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
-  const k = c * CONTACT
-  const a = (pair[2 * c] & INDEX) * STATE
-  const b = (pair[2 * c + 1] & INDEX) * STATE
-  const nx = d[k + NX]
-  const ny = d[k + NY]
-  const ima = s[a + INV_MASS]
-  const imb = s[b + INV_MASS]
-  const iia = s[a + INV_INERTIA]
-  const iib = s[b + INV_INERTIA]
-  let spinA = s[a + SPIN]
-  let spinB = s[b + SPIN]
-  const vx = s[b + VX] - s[a + VX]
-  const vy = s[b + VY] - s[a + VY]
-  let speed = nx * vx + ny * vy
-  let normal = 0
-  let change = 0
-  if (d[k + GOAL1] > -Infinity) {
-    const old = d[k + HIT1]
-    let p = old + (d[k + GOAL1] - speed - d[k + NB1] * spinB + d[k + NA1] * spinA) / d[k + K11]
-    if (p < 0) p = 0
-    d[k + HIT1] = p
-    p -= old
-    normal = p
-    speed += p * (ima + imb)
-    spinA -= iia * d[k + NA1] * p
-    spinB += iib * d[k + NB1] * p
-    change = Math.abs(p) * d[k + K11]
-  }
-  if (d[k + POINTS] > 1 && d[k + GOAL2] > -Infinity) {
-    const old = d[k + HIT2]
-    let p = old + (d[k + GOAL2] - speed - d[k + NB2] * spinB + d[k + NA2] * spinA) / d[k + K22]
-    if (p < 0) p = 0
-    d[k + HIT2] = p
-    p -= old
-    normal += p
-    spinA -= iia * d[k + NA2] * p
-    spinB += iib * d[k + NB2] * p
-    change = Math.max(change, Math.abs(p) * d[k + K22])
-  }
-  const ta = d[k + TA]
-  const tb = d[k + TB]
-  const limit = friction * (d[k + HIT1] + d[k + HIT2])
-  const old = d[k + HIT_T]
-  let t = old + d[k + MASS_T] * (d[k + GOAL_T] - nx * vy + ny * vx - tb * spinB + ta * spinA)
-  t = t > limit ? limit : Math.max(t, -limit)
-  d[k + HIT_T] = t
-  t -= old
-  d[k + CHANGE] = change
-  const x = nx * normal - ny * t
-  const y = ny * normal + nx * t
-  s[a + VX] -= ima * x
-  s[a + VY] -= ima * y
-  s[a + SPIN] = spinA - iia * ta * t
-  s[b + VX] += imb * x
-  s[b + VY] += imb * y
-  s[b + SPIN] = spinB + iib * tb * t
-}
-
-/** Takes up the contacts of body `i` that touch and now approach by `from` px/s: they stop dead, they don't bounce. */
-function spread(impacts: Impacts, scene: ImpactScene, i: number, from: number, h: number): void {
-  if (i === 0) return
-  const { bodies, contacts } = scene
-  const d = contacts.data
-  const s = bodies.state
-  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-    const c = edge >> 1
-    const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0 || contacts.mark[c] === impacts.phase) continue
-    const bodyA = contacts.pair[2 * c]
-    const bodyB = contacts.pair[2 * c + 1]
-    const a = bodyA * STATE
-    const b = bodyB * STATE
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    const speed = nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY])
-    const fast1 = speed + d[k + NB1] * s[b + SPIN] - d[k + NA1] * s[a + SPIN] < -from
-    const fast2 = points > 1 && speed + d[k + NB2] * s[b + SPIN] - d[k + NA2] * s[a + SPIN] < -from
-    if (!fast1 && !fast2) continue
-    const near1 = gapOf(bodies, contacts, c, false) < IMPACT_TOUCH
-    const near2 = points > 1 && gapOf(bodies, contacts, c, true) < IMPACT_TOUCH
-    if (!(fast1 && near1) && !(fast2 && near2)) continue
-    if (bodies.asleep[bodyA] === 1 || bodies.asleep[bodyB] === 1) continue
-    enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i], h)
-  }
-}
-
-/** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
-function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
-  const { state, motion } = scene.bodies
-  let linear = 0
-  let square = 0
-  for (let n = 0; n < impacts.bodyCount; n++) {
-    const i = impacts.bodies[n]
-    const s = i * STATE
-    const part = impacts.when[i] / h
-    const m = 1 / state[s + INV_MASS]
-    const inertia = 1 / state[s + INV_INERTIA]
-    for (let axis = 0; axis < 3; axis++) {
-      const weight = axis < 2 ? m : inertia
-      const before = impacts.before[n * 3 + axis]
-      const change = state[s + VX + axis] - before
-      // Velocities change on the way to the impact: energy counts at its time.
-      const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
-      linear += weight * (before + gained) * change
-      square += weight * change * change
-    }
-  }
-  // Kinetic energy after a share α of the impulses: E + α·linear + ½α²·square.
-  if (linear + 0.5 * square <= 0 || square === 0) return
-  const share = Math.max(0, (-2 * linear) / square)
-  for (let n = 0; n < impacts.bodyCount; n++) {
-    const s = impacts.bodies[n] * STATE
-    for (let axis = 0; axis < 3; axis++) {
-      const before = impacts.before[n * 3 + axis]
-      state[s + VX + axis] = before + share * (state[s + VX + axis] - before)
-    }
-  }
-}
-
-// islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
-
-/**
- * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
- * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
- */
-interface Islands {
-  parent: Int32Array
-  /** px by which the fastest approach in an island may close a gap within the step. */
-  reach: Float64Array
-  /** Contacts that matter in this step. */
-  near: Int32Array
-  nearCount: number
-  /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
-  count: number
-  bodies: Int32Array
-  bodyStart: Int32Array
-  contacts: Int32Array
-  /** The same, only those that touch in the present sub-step. */
-  live: Int32Array
-  contactStart: Int32Array
-  /** Number of the island by root. */
-  number: Int32Array
-}
-
-function createIslands(): Islands {
-  return {
-    parent: new Int32Array(0),
-    reach: new Float64Array(0),
-    near: new Int32Array(64),
-    nearCount: 0,
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyStart: new Int32Array(0),
-    contacts: new Int32Array(64),
-    live: new Int32Array(64),
-    contactStart: new Int32Array(0),
-    number: new Int32Array(0),
-  }
-}
-
-function reserveIslands(islands: Islands, bodies: number): void {
-  if (islands.parent.length >= bodies) return
-  islands.parent = grown(islands.parent, bodies)
-  islands.reach = grown(islands.reach, bodies)
-  islands.bodies = grown(islands.bodies, bodies)
-  islands.bodyStart = grown(islands.bodyStart, bodies + 1)
-  islands.contactStart = grown(islands.contactStart, bodies + 1)
-  islands.number = grown(islands.number, bodies)
-}
-
-/** Root of the island of body `i`. */
-function find(parent: Int32Array, i: number): number {
-  while (parent[i] !== i) {
-    parent[i] = parent[parent[i]]
-    i = parent[i]
-  }
-  return i
-}
-
-function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): void {
-  const a = find(parent, i)
-  const b = find(parent, j)
-  if (a === b) return
-  // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
-  const root = Math.min(a, b)
-  const leaf = Math.max(a, b)
-  parent[leaf] = root
-  if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
-}
-
-/**
- * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
- * to the list and returns its new length.
- */
-function findIslands(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-): void {
-  const { parent, reach } = islands
-  for (let n = 0; n < count; n++) {
-    parent[awake[n]] = awake[n]
-    reach[awake[n]] = 0
-  }
-  islands.nearCount = 0
-  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
-  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
-
-  // Bodies, then contacts, sorted by island.
-  const { number, bodyStart, contactStart, near, nearCount } = islands
-  let islandCount = 0
-  for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    if (find(parent, i) === i) {
-      number[i] = islandCount++
-      bodyStart[islandCount] = 0
-      contactStart[islandCount] = 0
-    }
-  }
-  islands.count = islandCount
-  bodyStart[0] = 0
-  contactStart[0] = 0
-  for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
-  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, contacts.pair[2 * near[n] + 1])] + 1]++
-  for (let n = 0; n < islandCount; n++) {
-    bodyStart[n + 1] += bodyStart[n]
-    contactStart[n + 1] += contactStart[n]
-  }
-  if (islands.contacts.length < nearCount) {
-    islands.contacts = new Int32Array(islands.near.length)
-    islands.live = new Int32Array(islands.near.length)
-  }
-  // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
-  for (let n = count - 1; n >= 0; n--) {
-    const island = number[find(parent, awake[n])]
-    islands.bodies[--bodyStart[island + 1]] = awake[n]
-  }
-  for (let n = nearCount - 1; n >= 0; n--) {
-    const island = number[find(parent, contacts.pair[2 * near[n] + 1])]
-    islands.contacts[--contactStart[island + 1]] = near[n]
-  }
-  // Each start now stands one place to the right.
-  for (let n = 0; n < islandCount; n++) {
-    bodyStart[n] = bodyStart[n + 1]
-    contactStart[n] = contactStart[n + 1]
-  }
-  bodyStart[islandCount] = count
-  contactStart[islandCount] = nearCount
-}
-
-/**
- * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
- * may go as far as the fastest approach in its island.
- */
-function gather(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-  again: boolean,
-): void {
-  const { parent, reach } = islands
-  const { data: d, head, mark, next, pair } = contacts
-  const { state: s, shape, asleep } = bodies
-  const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
-  for (let n = 0; n < count; n++) {
-    const i = awake[n] & INDEX
-    const mine = again ? reach[find(parent, i)] : 0
-    if (again && mine < 1) continue
-    const a = i * STATE
-    const vx = s[a + VX]
-    const vy = s[a + VY]
-    const coreA = shape[i * SHAPE + CORE]
-    const turning = coreA * Math.abs(s[a + SPIN])
-    for (let edge = head[i]; edge >= 0; edge = next[edge]) {
-      const j = pair[edge ^ 1] & INDEX
-      // The first round sees every pair once: from A, or from the chip at a wall.
-      if (!again && j > 0 && (edge & 1) === 1) continue
-      const c = (edge >> 1) & INDEX
-      if (mark[c] === -1 || asleep[j] === 1) continue
-      const k = c * CONTACT
-      const b = j * STATE
-      const coreB = shape[j * SHAPE + CORE]
-      const go =
-        STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
-      if (d[k + POINTS] === 0) {
-        let may = fall + go
-        if (again) {
-          const root = j > 0 ? find(parent, j) : 0
-          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
-        }
-        const sign = (edge & 1) === 0 ? 1 : -1
-        const shift =
-          Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
-          Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
-          coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
-          coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
-        if (d[k + CLEAR] - shift > may) continue
-        // Measured again only where that bound has grown loose.
-        if (!(shift < LOOSE)) {
-          touch.margin = MARGIN
-          measure(bodies, contacts, walls, c)
-          contacts.measured++
-          if (touch.gap > may) continue
-        }
-      }
-      mark[c] = -1
-      if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
-      islands.near[islands.nearCount++] = c
-      if (j > 0) unite(parent, reach, i, j)
-      const root = find(parent, i)
-      if (go > reach[root]) reach[root] = go
-    }
-  }
-  if (again) for (let n = 0; n < islands.nearCount; n++) mark[islands.near[n]] = 0
-}
-
-/**
- * Counts how long each awake body has kept its place, then puts to sleep every group that carries each other and of
- * which all have done so for `REST_TIME`. Returns the bodies that stay awake, at the front of `awake`.
- */
-function rest(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  held: Uint8Array,
-  awake: Int32Array,
-  count: number,
-): number {
-  const { state, shape } = bodies
-  const { parent } = islands
-  const still = bodies.rest
-  let ready = false
-  for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    const s = i * STATE
-    const r = i * 4
-    const off =
-      Math.abs(state[s + X] - still[r]) +
-      Math.abs(state[s + Y] - still[r + 1]) +
-      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - still[r + 2])
-    if (off > REST_DISTANCE || held[i] > 0) {
-      still[r] = state[s + X]
-      still[r + 1] = state[s + Y]
-      still[r + 2] = state[s + ANGLE]
-      still[r + 3] = 0
-    } else {
-      still[r + 3] += STEP
-      if (still[r + 3] >= REST_TIME) ready = true
-    }
-  }
-  if (!ready) return count
-
-  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least.
-  const least = islands.reach
-  for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    parent[i] = i
-    least[i] = -still[i * 4 + 3]
-  }
-  for (let n = 0; n < islands.nearCount; n++) {
-    const c = islands.near[n]
-    const a = contacts.pair[2 * c]
-    const b = contacts.pair[2 * c + 1]
-    if (a > 0 && contacts.data[c * CONTACT + LOAD1] + contacts.data[c * CONTACT + LOAD2] > 0)
-      unite(parent, least, a, b)
-  }
-  let left = 0
-  for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    if (-least[find(parent, i)] < REST_TIME) awake[left++] = i
-    else {
-      bodies.asleep[i] = 1
-      state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
-    }
-  }
-  return left
-}
-
 // pairs: which pairs may touch (broad phase) ────────────────────────────────────────────────────────────────
 
 /**
@@ -2256,6 +1342,402 @@ function updatePairs(
 
 function overlap(box: Float64Array, i: number, j: number): boolean {
   return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
+}
+
+// impacts: bounces, at their time inside the step ───────────────────────────────────────────────────────────
+
+/**
+ * Bounces, each at its time inside the sub-step: the velocity changes at the start of it, and the pose goes back by
+ * what the change would have moved too early. Exact for a single impact, at any step.
+ */
+interface Impacts {
+  /** Contacts of the cluster under way. */
+  list: Int32Array
+  count: number
+  /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
+  bodies: Int32Array
+  bodyCount: number
+  before: Float64Array
+  when: Float64Array
+  /** Number of the phase that last reached each body. */
+  mark: Int32Array
+  phase: number
+  sweeps: number
+  /** px/s, the hardest hit of the cluster. */
+  fastest: number
+}
+
+function createImpacts(): Impacts {
+  return {
+    list: new Int32Array(64),
+    count: 0,
+    bodies: new Int32Array(0),
+    bodyCount: 0,
+    before: new Float64Array(0),
+    when: new Float64Array(0),
+    mark: new Int32Array(0),
+    phase: 0,
+    sweeps: 0,
+    fastest: 0,
+  }
+}
+
+function reserveImpacts(impacts: Impacts, bodies: number): void {
+  if (impacts.mark.length >= bodies) return
+  impacts.bodies = grown(impacts.bodies, bodies)
+  impacts.before = grown(impacts.before, bodies * 3)
+  impacts.when = grown(impacts.when, bodies)
+  impacts.mark = grown(impacts.mark, bodies)
+}
+
+/** Gravity, bounce and the rest of what an impact needs to know. */
+interface ImpactScene {
+  bodies: Bodies
+  contacts: Contacts
+  walls: Walls
+  gravity: number
+  bounce: number
+  friction: number
+  threshold: number
+}
+
+/** px/s, velocity along the normal of point 1 (or 2). */
+function approach(
+  state: Float64Array,
+  d: Float64Array,
+  k: number,
+  a: number,
+  b: number,
+  second: boolean,
+): number {
+  const along = d[k + NX] * (state[b + VX] - state[a + VX]) + d[k + NY] * (state[b + VY] - state[a + VY])
+  return second
+    ? along + d[k + NB2] * state[b + SPIN] - d[k + NA2] * state[a + SPIN]
+    : along + d[k + NB1] * state[b + SPIN] - d[k + NA1] * state[a + SPIN]
+}
+
+/** px/s, change of that velocity over the sub-step by gravity and the contacts that already push. */
+function pull(scene: ImpactScene, k: number, a: number, b: number, second: boolean, h: number): number {
+  const d = scene.contacts.data
+  const m = scene.bodies.motion
+  const ma = a * MOTION
+  const mb = b * MOTION
+  const fallA = a > 0 ? scene.gravity * h : 0
+  const fallB = b > 0 ? scene.gravity * h : 0
+  const along =
+    d[k + NX] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+    d[k + NY] * (m[mb + PUSH_Y] + fallB - m[ma + PUSH_Y] - fallA)
+  return second
+    ? along + d[k + NB2] * m[mb + PUSH_SPIN] - d[k + NA2] * m[ma + PUSH_SPIN]
+    : along + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN]
+}
+
+/** The impact that `predict` found. */
+const ahead = { time: 0, goal: 0, speed: 0 }
+
+/**
+ * Whether a point of contact `c` will hit within `h` hard enough to bounce; when, and with what velocity at the start
+ * of the sub-step it would leave as it should.
+ */
+function predict(scene: ImpactScene, c: number, second: boolean, h: number): boolean {
+  const { bodies, contacts } = scene
+  const k = c * CONTACT
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const v = approach(bodies.state, contacts.data, k, a * STATE, b * STATE, second)
+  if (v > 0) return false
+  const gap = Math.max(0, gapOf(bodies, contacts, c, second))
+  const change = pull(scene, k, a, b, second, h)
+  if (gap + (v + 0.5 * change) * h >= 0) return false
+  const rate = change / h
+  const square = v * v - 2 * rate * gap
+  if (!(square > scene.threshold * scene.threshold)) return false
+  const hit = -Math.sqrt(square)
+  const time = Math.min(h, (2 * gap) / (-v - hit))
+  // A bounce so low that it would land again within the sub-step is left to rest.
+  const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
+  ahead.time = time
+  ahead.speed = -hit
+  ahead.goal = -e * hit - (hit - v)
+  return true
+}
+
+/** Takes contact `c` into the cluster with both goals and a time. */
+function enlist(
+  impacts: Impacts,
+  scene: ImpactScene,
+  c: number,
+  goal1: number,
+  goal2: number,
+  when: number,
+  h: number,
+): void {
+  const { bodies, contacts } = scene
+  if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
+  impacts.list[impacts.count++] = c
+  contacts.mark[c] = impacts.phase
+  const k = c * CONTACT
+  const d = contacts.data
+  d[k + GOAL1] = goal1
+  d[k + GOAL2] = goal2
+  d[k + HIT1] = 0
+  d[k + HIT2] = 0
+  d[k + HIT_T] = 0
+  const m = bodies.motion
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const ma = a * MOTION
+  const mb = b * MOTION
+  const fall = (b > 0 ? scene.gravity * h : 0) - (a > 0 ? scene.gravity * h : 0)
+  const slip =
+    d[k + NX] * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) -
+    d[k + NY] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+    d[k + TB] * m[mb + PUSH_SPIN] -
+    d[k + TA] * m[ma + PUSH_SPIN]
+  d[k + GOAL_T] = (-slip * when) / h
+  reach(impacts, scene, contacts.pair[2 * c], when)
+  reach(impacts, scene, contacts.pair[2 * c + 1], when)
+}
+
+function reach(impacts: Impacts, scene: ImpactScene, i: number, when: number): void {
+  if (i === 0 || impacts.mark[i] === impacts.phase) return
+  impacts.mark[i] = impacts.phase
+  const state = scene.bodies.state
+  const n = impacts.bodyCount++
+  impacts.bodies[n] = i
+  impacts.before[n * 3] = state[i * STATE + VX]
+  impacts.before[n * 3 + 1] = state[i * STATE + VY]
+  impacts.before[n * 3 + 2] = state[i * STATE + SPIN]
+  impacts.when[i] = when
+}
+
+/** Measures contact `c` at the poses that its bodies will have when it hits: the geometry of the impact, not of its eve. */
+function measureAt(scene: ImpactScene, c: number, time: number, h: number): void {
+  const { bodies, contacts } = scene
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const s = bodies.state
+  const ax = s[a * STATE + X]
+  const ay = s[a * STATE + Y]
+  const aa = s[a * STATE + ANGLE]
+  const bx = s[b * STATE + X]
+  const by = s[b * STATE + Y]
+  const ba = s[b * STATE + ANGLE]
+  advance(scene, a, time, h)
+  advance(scene, b, time, h)
+  touch.margin = MARGIN
+  measure(bodies, contacts, scene.walls, c)
+  s[a * STATE + X] = ax
+  s[a * STATE + Y] = ay
+  s[a * STATE + ANGLE] = aa
+  s[b * STATE + X] = bx
+  s[b * STATE + Y] = by
+  s[b * STATE + ANGLE] = ba
+}
+
+function advance(scene: ImpactScene, i: number, time: number, h: number): void {
+  if (i === 0) return
+  const { state, motion } = scene.bodies
+  const s = i * STATE
+  const m = i * MOTION
+  const half = (0.5 * time * time) / h
+  state[s + X] += state[s + VX] * time + motion[m + PUSH_X] * half
+  state[s + Y] += state[s + VY] * time + motion[m + PUSH_Y] * half + 0.5 * scene.gravity * time * time
+  state[s + ANGLE] += state[s + SPIN] * time + motion[m + PUSH_SPIN] * half
+}
+
+/** Empties the cluster for a new sub-step. */
+function clearImpacts(impacts: Impacts): void {
+  impacts.count = 0
+  impacts.bodyCount = 0
+  impacts.phase++
+  impacts.fastest = 0
+}
+
+/** Contact `c` joins the cluster if one of its points will hit. */
+function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
+  const d = scene.contacts.data
+  const k = c * CONTACT
+  if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
+  // Measured again at the time of impact until that time stands still.
+  let time = ahead.time
+  for (let n = 0; n < 6; n++) {
+    measureAt(scene, c, time, h)
+    if (d[k + POINTS] === 0) return
+    let next = predict(scene, c, false, h) ? ahead.time : h
+    if (d[k + POINTS] > 1 && predict(scene, c, true, h)) next = Math.min(next, ahead.time)
+    const step = next - time
+    time = next
+    if (step < 1e-13 && step > -1e-13) break
+  }
+  const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
+  if (goal1 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
+  if (goal2 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
+  if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time, h)
+}
+
+/** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
+function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
+  const { bodies, contacts } = scene
+  const state = bodies.state
+  const d = contacts.data
+  // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
+  const share = 1 - scene.bounce
+  for (let n = 0; n < IMPACT_SWEEPS; n++) {
+    // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
+    const exact = impacts.count === 1
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest)
+    const passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
+    const before = impacts.count
+    let most = 0
+    for (let i = 0; i < impacts.count; i++) {
+      const c = impacts.list[i]
+      hit(state, d, contacts.pair, c, scene.friction)
+      const change = d[c * CONTACT + CHANGE]
+      if (change > most) most = change
+      if (change > passOn) {
+        spread(impacts, scene, contacts.pair[2 * c], passOn, h)
+        spread(impacts, scene, contacts.pair[2 * c + 1], passOn, h)
+      }
+    }
+    impacts.sweeps += impacts.count
+    if (most < still && impacts.count === before) break
+  }
+  keepEnergy(impacts, scene, h)
+  for (let n = 0; n < impacts.bodyCount; n++) {
+    const i = impacts.bodies[n]
+    const s = i * STATE
+    const when = impacts.when[i]
+    const dx = (state[s + VX] - impacts.before[n * 3]) * when
+    const dy = (state[s + VY] - impacts.before[n * 3 + 1]) * when
+    const by = (state[s + SPIN] - impacts.before[n * 3 + 2]) * when
+    state[s + X] -= dx
+    state[s + Y] -= dy
+    state[s + ANGLE] -= by
+  }
+}
+
+/** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
+function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
+  const k = c * CONTACT
+  const a = (pair[2 * c] & INDEX) * STATE
+  const b = (pair[2 * c + 1] & INDEX) * STATE
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const ima = s[a + INV_MASS]
+  const imb = s[b + INV_MASS]
+  const iia = s[a + INV_INERTIA]
+  const iib = s[b + INV_INERTIA]
+  let spinA = s[a + SPIN]
+  let spinB = s[b + SPIN]
+  const vx = s[b + VX] - s[a + VX]
+  const vy = s[b + VY] - s[a + VY]
+  let speed = nx * vx + ny * vy
+  let normal = 0
+  let change = 0
+  if (d[k + GOAL1] > -Infinity) {
+    const old = d[k + HIT1]
+    let p = old + (d[k + GOAL1] - speed - d[k + NB1] * spinB + d[k + NA1] * spinA) / d[k + K11]
+    if (p < 0) p = 0
+    d[k + HIT1] = p
+    p -= old
+    normal = p
+    speed += p * (ima + imb)
+    spinA -= iia * d[k + NA1] * p
+    spinB += iib * d[k + NB1] * p
+    change = Math.abs(p) * d[k + K11]
+  }
+  if (d[k + POINTS] > 1 && d[k + GOAL2] > -Infinity) {
+    const old = d[k + HIT2]
+    let p = old + (d[k + GOAL2] - speed - d[k + NB2] * spinB + d[k + NA2] * spinA) / d[k + K22]
+    if (p < 0) p = 0
+    d[k + HIT2] = p
+    p -= old
+    normal += p
+    spinA -= iia * d[k + NA2] * p
+    spinB += iib * d[k + NB2] * p
+    change = Math.max(change, Math.abs(p) * d[k + K22])
+  }
+  const ta = d[k + TA]
+  const tb = d[k + TB]
+  const limit = friction * (d[k + HIT1] + d[k + HIT2])
+  const old = d[k + HIT_T]
+  let t = old + d[k + MASS_T] * (d[k + GOAL_T] - nx * vy + ny * vx - tb * spinB + ta * spinA)
+  t = t > limit ? limit : Math.max(t, -limit)
+  d[k + HIT_T] = t
+  t -= old
+  d[k + CHANGE] = change
+  const x = nx * normal - ny * t
+  const y = ny * normal + nx * t
+  s[a + VX] -= ima * x
+  s[a + VY] -= ima * y
+  s[a + SPIN] = spinA - iia * ta * t
+  s[b + VX] += imb * x
+  s[b + VY] += imb * y
+  s[b + SPIN] = spinB + iib * tb * t
+}
+
+/** Takes up the contacts of body `i` that touch and now approach by `from` px/s: they stop dead, they don't bounce. */
+function spread(impacts: Impacts, scene: ImpactScene, i: number, from: number, h: number): void {
+  if (i === 0) return
+  const { bodies, contacts } = scene
+  const d = contacts.data
+  const s = bodies.state
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const c = edge >> 1
+    const k = c * CONTACT
+    const points = d[k + POINTS]
+    if (points === 0 || contacts.mark[c] === impacts.phase) continue
+    const bodyA = contacts.pair[2 * c]
+    const bodyB = contacts.pair[2 * c + 1]
+    const a = bodyA * STATE
+    const b = bodyB * STATE
+    const nx = d[k + NX]
+    const ny = d[k + NY]
+    const speed = nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY])
+    const fast1 = speed + d[k + NB1] * s[b + SPIN] - d[k + NA1] * s[a + SPIN] < -from
+    const fast2 = points > 1 && speed + d[k + NB2] * s[b + SPIN] - d[k + NA2] * s[a + SPIN] < -from
+    if (!fast1 && !fast2) continue
+    const near1 = gapOf(bodies, contacts, c, false) < IMPACT_TOUCH
+    const near2 = points > 1 && gapOf(bodies, contacts, c, true) < IMPACT_TOUCH
+    if (!(fast1 && near1) && !(fast2 && near2)) continue
+    if (bodies.asleep[bodyA] === 1 || bodies.asleep[bodyB] === 1) continue
+    enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i], h)
+  }
+}
+
+/** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
+function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
+  const { state, motion } = scene.bodies
+  let linear = 0
+  let square = 0
+  for (let n = 0; n < impacts.bodyCount; n++) {
+    const i = impacts.bodies[n]
+    const s = i * STATE
+    const part = impacts.when[i] / h
+    const m = 1 / state[s + INV_MASS]
+    const inertia = 1 / state[s + INV_INERTIA]
+    for (let axis = 0; axis < 3; axis++) {
+      const weight = axis < 2 ? m : inertia
+      const before = impacts.before[n * 3 + axis]
+      const change = state[s + VX + axis] - before
+      // Velocities change on the way to the impact: energy counts at its time.
+      const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
+      linear += weight * (before + gained) * change
+      square += weight * change * change
+    }
+  }
+  // Kinetic energy after a share α of the impulses: E + α·linear + ½α²·square.
+  if (linear + 0.5 * square <= 0 || square === 0) return
+  const share = Math.max(0, (-2 * linear) / square)
+  for (let n = 0; n < impacts.bodyCount; n++) {
+    const s = impacts.bodies[n] * STATE
+    for (let axis = 0; axis < 3; axis++) {
+      const before = impacts.before[n * 3 + axis]
+      state[s + VX + axis] = before + share * (state[s + VX + axis] - before)
+    }
+  }
 }
 
 // solver: velocity and position sweeps ──────────────────────────────────────────────────────────────────────
@@ -2660,6 +2142,455 @@ function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: nu
   }
 }
 
+// islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
+
+/**
+ * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
+ * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
+ */
+interface Islands {
+  parent: Int32Array
+  /** px by which the fastest approach in an island may close a gap within the step. */
+  reach: Float64Array
+  /** Contacts that matter in this step. */
+  near: Int32Array
+  nearCount: number
+  /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
+  count: number
+  bodies: Int32Array
+  bodyStart: Int32Array
+  contacts: Int32Array
+  /** The same, only those that touch in the present sub-step. */
+  live: Int32Array
+  contactStart: Int32Array
+  /** Number of the island by root. */
+  number: Int32Array
+}
+
+function createIslands(): Islands {
+  return {
+    parent: new Int32Array(0),
+    reach: new Float64Array(0),
+    near: new Int32Array(64),
+    nearCount: 0,
+    count: 0,
+    bodies: new Int32Array(0),
+    bodyStart: new Int32Array(0),
+    contacts: new Int32Array(64),
+    live: new Int32Array(64),
+    contactStart: new Int32Array(0),
+    number: new Int32Array(0),
+  }
+}
+
+function reserveIslands(islands: Islands, bodies: number): void {
+  if (islands.parent.length >= bodies) return
+  islands.parent = grown(islands.parent, bodies)
+  islands.reach = grown(islands.reach, bodies)
+  islands.bodies = grown(islands.bodies, bodies)
+  islands.bodyStart = grown(islands.bodyStart, bodies + 1)
+  islands.contactStart = grown(islands.contactStart, bodies + 1)
+  islands.number = grown(islands.number, bodies)
+}
+
+/** Root of the island of body `i`. */
+function find(parent: Int32Array, i: number): number {
+  while (parent[i] !== i) {
+    parent[i] = parent[parent[i]]
+    i = parent[i]
+  }
+  return i
+}
+
+function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): void {
+  const a = find(parent, i)
+  const b = find(parent, j)
+  if (a === b) return
+  // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
+  const root = Math.min(a, b)
+  const leaf = Math.max(a, b)
+  parent[leaf] = root
+  if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
+}
+
+/**
+ * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
+ * to the list and returns its new length.
+ */
+function findIslands(
+  islands: Islands,
+  bodies: Bodies,
+  contacts: Contacts,
+  walls: Walls,
+  gravity: number,
+  awake: Int32Array,
+  count: number,
+): void {
+  const { parent, reach } = islands
+  for (let n = 0; n < count; n++) {
+    parent[awake[n]] = awake[n]
+    reach[awake[n]] = 0
+  }
+  islands.nearCount = 0
+  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
+  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
+  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
+
+  // Bodies, then contacts, sorted by island.
+  const { number, bodyStart, contactStart, near, nearCount } = islands
+  let islandCount = 0
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    if (find(parent, i) === i) {
+      number[i] = islandCount++
+      bodyStart[islandCount] = 0
+      contactStart[islandCount] = 0
+    }
+  }
+  islands.count = islandCount
+  bodyStart[0] = 0
+  contactStart[0] = 0
+  for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
+  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, contacts.pair[2 * near[n] + 1])] + 1]++
+  for (let n = 0; n < islandCount; n++) {
+    bodyStart[n + 1] += bodyStart[n]
+    contactStart[n + 1] += contactStart[n]
+  }
+  if (islands.contacts.length < nearCount) {
+    islands.contacts = new Int32Array(islands.near.length)
+    islands.live = new Int32Array(islands.near.length)
+  }
+  // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
+  for (let n = count - 1; n >= 0; n--) {
+    const island = number[find(parent, awake[n])]
+    islands.bodies[--bodyStart[island + 1]] = awake[n]
+  }
+  for (let n = nearCount - 1; n >= 0; n--) {
+    const island = number[find(parent, contacts.pair[2 * near[n] + 1])]
+    islands.contacts[--contactStart[island + 1]] = near[n]
+  }
+  // Each start now stands one place to the right.
+  for (let n = 0; n < islandCount; n++) {
+    bodyStart[n] = bodyStart[n + 1]
+    contactStart[n] = contactStart[n + 1]
+  }
+  bodyStart[islandCount] = count
+  contactStart[islandCount] = nearCount
+}
+
+/**
+ * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
+ * may go as far as the fastest approach in its island.
+ */
+function gather(
+  islands: Islands,
+  bodies: Bodies,
+  contacts: Contacts,
+  walls: Walls,
+  gravity: number,
+  awake: Int32Array,
+  count: number,
+  again: boolean,
+): void {
+  const { parent, reach } = islands
+  const { data: d, head, mark, next, pair } = contacts
+  const { state: s, shape, asleep } = bodies
+  const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
+  for (let n = 0; n < count; n++) {
+    const i = awake[n] & INDEX
+    const mine = again ? reach[find(parent, i)] : 0
+    if (again && mine < 1) continue
+    const a = i * STATE
+    const vx = s[a + VX]
+    const vy = s[a + VY]
+    const coreA = shape[i * SHAPE + CORE]
+    const turning = coreA * Math.abs(s[a + SPIN])
+    for (let edge = head[i]; edge >= 0; edge = next[edge]) {
+      const j = pair[edge ^ 1] & INDEX
+      // The first round sees every pair once: from A, or from the chip at a wall.
+      if (!again && j > 0 && (edge & 1) === 1) continue
+      const c = (edge >> 1) & INDEX
+      if (mark[c] === -1 || asleep[j] === 1) continue
+      const k = c * CONTACT
+      const b = j * STATE
+      const coreB = shape[j * SHAPE + CORE]
+      const go =
+        STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
+      if (d[k + POINTS] === 0) {
+        let may = fall + go
+        if (again) {
+          const root = j > 0 ? find(parent, j) : 0
+          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
+        }
+        const sign = (edge & 1) === 0 ? 1 : -1
+        const shift =
+          Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
+          Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
+          coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
+          coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
+        if (d[k + CLEAR] - shift > may) continue
+        // Measured again only where that bound has grown loose.
+        if (!(shift < LOOSE)) {
+          touch.margin = MARGIN
+          measure(bodies, contacts, walls, c)
+          contacts.measured++
+          if (touch.gap > may) continue
+        }
+      }
+      mark[c] = -1
+      if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
+      islands.near[islands.nearCount++] = c
+      if (j > 0) unite(parent, reach, i, j)
+      const root = find(parent, i)
+      if (go > reach[root]) reach[root] = go
+    }
+  }
+  if (again) for (let n = 0; n < islands.nearCount; n++) mark[islands.near[n]] = 0
+}
+
+/**
+ * Counts how long each awake body has kept its place, then puts to sleep every group that carries each other and of
+ * which all have done so for `REST_TIME`. Returns the bodies that stay awake, at the front of `awake`.
+ */
+function rest(
+  islands: Islands,
+  bodies: Bodies,
+  contacts: Contacts,
+  held: Uint8Array,
+  awake: Int32Array,
+  count: number,
+): number {
+  const { state, shape } = bodies
+  const { parent } = islands
+  const still = bodies.rest
+  let ready = false
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    const s = i * STATE
+    const r = i * 4
+    const off =
+      Math.abs(state[s + X] - still[r]) +
+      Math.abs(state[s + Y] - still[r + 1]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - still[r + 2])
+    if (off > REST_DISTANCE || held[i] > 0) {
+      still[r] = state[s + X]
+      still[r + 1] = state[s + Y]
+      still[r + 2] = state[s + ANGLE]
+      still[r + 3] = 0
+    } else {
+      still[r + 3] += STEP
+      if (still[r + 3] >= REST_TIME) ready = true
+    }
+  }
+  if (!ready) return count
+
+  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least.
+  const least = islands.reach
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    parent[i] = i
+    least[i] = -still[i * 4 + 3]
+  }
+  for (let n = 0; n < islands.nearCount; n++) {
+    const c = islands.near[n]
+    const a = contacts.pair[2 * c]
+    const b = contacts.pair[2 * c + 1]
+    if (a > 0 && contacts.data[c * CONTACT + LOAD1] + contacts.data[c * CONTACT + LOAD2] > 0)
+      unite(parent, least, a, b)
+  }
+  let left = 0
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    if (-least[find(parent, i)] < REST_TIME) awake[left++] = i
+    else {
+      bodies.asleep[i] = 1
+      state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
+    }
+  }
+  return left
+}
+
+// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
+
+/**
+ * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
+ * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
+ */
+interface Hold {
+  body: number
+  /** Grabbed point in the body's own axes, px from its centre. */
+  localX: number
+  localY: number
+  /** Where the pointer is, and where it was lately. */
+  x: number
+  y: number
+  samples: { x: number; y: number; seconds: number }[]
+  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  impulseX: number
+  impulseY: number
+  rate: number
+  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
+  rx: number
+  ry: number
+  k11: number
+  k12: number
+  k22: number
+  biasX: number
+  biasY: number
+  massScale: number
+  impulseScale: number
+  limit: number
+}
+
+function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  const c = bodies.motion[body * MOTION + COS]
+  const s = bodies.motion[body * MOTION + SIN]
+  const dx = x - bodies.state[body * STATE + X]
+  const dy = y - bodies.state[body * STATE + Y]
+  return {
+    body,
+    localX: c * dx + s * dy,
+    localY: c * dy - s * dx,
+    x,
+    y,
+    samples: [],
+    impulseX: 0,
+    impulseY: 0,
+    rate: 0,
+    rx: 0,
+    ry: 0,
+    k11: 0,
+    k12: 0,
+    k22: 0,
+    biasX: 0,
+    biasY: 0,
+    massScale: 0,
+    impulseScale: 0,
+    limit: 0,
+  }
+}
+
+/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
+function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
+  const i = hold.body * STATE
+  const s = bodies.state
+  const cos = bodies.motion[hold.body * MOTION + COS]
+  const sin = bodies.motion[hold.body * MOTION + SIN]
+  const rx = cos * hold.localX - sin * hold.localY
+  const ry = sin * hold.localX + cos * hold.localY
+  const m = s[i + INV_MASS]
+  const n = s[i + INV_INERTIA]
+  const omega = 2 * Math.PI * GRAB_HERTZ
+  const a1 = 2 * GRAB_DAMPING + h * omega
+  const a2 = h * omega * a1
+  const a3 = 1 / (1 + a2)
+  hold.massScale = a2 * a3
+  hold.impulseScale = a3
+  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
+  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
+  const k11 = m + n * ry * ry
+  const k12 = -n * rx * ry
+  const k22 = m + n * rx * rx
+  const det = 1 / (k11 * k22 - k12 * k12)
+  hold.k11 = k22 * det
+  hold.k12 = -k12 * det
+  hold.k22 = k11 * det
+  hold.rx = rx
+  hold.ry = ry
+  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+}
+
+/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
+function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+  const m = hold.body * MOTION
+  const i = hold.body * STATE
+  if (hold.rate !== substeps) {
+    hold.impulseX *= hold.rate / substeps
+    hold.impulseY *= hold.rate / substeps
+    hold.rate = substeps
+  }
+  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
+  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
+  bodies.motion[m + PUSH_SPIN] +=
+    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
+}
+
+function solveHold(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const { rx, ry } = hold
+  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
+  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
+  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
+  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
+  const size = Math.sqrt(x * x + y * y)
+  if (size > hold.limit) {
+    x *= hold.limit / size
+    y *= hold.limit / size
+  }
+  const dx = x - hold.impulseX
+  const dy = y - hold.impulseY
+  hold.impulseX = x
+  hold.impulseY = y
+  s[i + VX] += s[i + INV_MASS] * dx
+  s[i + VY] += s[i + INV_MASS] * dy
+  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
+}
+
+/** s of the pointer's way that a throw is fitted to. */
+const THROW_WINDOW = 0.08
+
+/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
+function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  hold.x = x
+  hold.y = y
+  const samples = hold.samples
+  samples.push({ x, y, seconds })
+  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
+}
+
+/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+function throwVelocity(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const samples = hold.samples
+  if (samples.length > 1) {
+    let t = 0
+    let x = 0
+    let y = 0
+    for (const sample of samples) {
+      t += sample.seconds / samples.length
+      x += sample.x / samples.length
+      y += sample.y / samples.length
+    }
+    let tt = 0
+    let tx = 0
+    let ty = 0
+    for (const sample of samples) {
+      tt += (sample.seconds - t) * (sample.seconds - t)
+      tx += (sample.seconds - t) * (sample.x - x)
+      ty += (sample.seconds - t) * (sample.y - y)
+    }
+    if (tt > 0) {
+      const vx = tx / tt
+      const vy = ty / tt
+      const offX = s[i + X] + hold.rx - hold.x
+      const offY = s[i + Y] + hold.ry - hold.y
+      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
+      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx
+        s[i + VY] = vy
+      }
+    }
+  }
+  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
+  if (speed > MAX_TOSS) {
+    s[i + VX] *= MAX_TOSS / speed
+    s[i + VY] *= MAX_TOSS / speed
+  }
+}
+
 // world: the step ───────────────────────────────────────────────────────────────────────────────────────────
 
 interface WorldOptions {
@@ -2906,6 +2837,7 @@ function createWorld(options: WorldOptions) {
       if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
       else solve(b0, b1, c0, c1)
     }
+    for (let n = 0; n < awakeCount; n++) keepInside(awake[n])
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
@@ -2964,6 +2896,30 @@ function createWorld(options: WorldOptions) {
       if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
     separate(bodies, contacts, live, c0, end)
+  }
+
+  /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
+  function keepInside(i: number): void {
+    const { state, motion, shape } = bodies
+    const far = shape[i * SHAPE + EXTENT]
+    const atX = state[i * STATE + X]
+    const atY = state[i * STATE + Y]
+    if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+    turn(state, motion, i)
+    const c = Math.abs(motion[i * MOTION + COS])
+    const n = Math.abs(motion[i * MOTION + SIN])
+    const hx = shape[i * SHAPE + HX]
+    const hy = shape[i * SHAPE + HY]
+    const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
+    const ex = hx * c + hy * n + r
+    const ey = hx * n + hy * c + r
+    const s = i * STATE
+    const x = Math.min(Math.max(state[s + X], ex), Math.max(ex, walls.width - ex))
+    const y = Math.min(state[s + Y], walls.height - ey)
+    if (x === state[s + X] && y === state[s + Y]) return
+    state[s + X] = x
+    state[s + Y] = y
+    bodies.moved[i] = PUSHED
   }
 
   /** Whether no body of an island moves or gains speed. */
@@ -3277,6 +3233,82 @@ function positive(value: number | undefined, otherwise: number): number {
 /** px; a size below 1 px, or none, counts as 1 px. */
 function size(value: number): number {
   return Math.max(1, Math.min(1e6, finite(value)))
+}
+
+// drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
+
+// Where and when each chip starts: the same for the same stage and chips, in every browser.
+// So the scatter is integer hashing and + − × ÷ √ only, and a release falls in the middle of a step of the world:
+// no rounding of frame times can move it to another one.
+
+/** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
+const GOLDEN_SHARE = 0.6180339887498949
+/** Most that a release strays from its place, as a share of the width. */
+const STRAY = 0.05
+/** s, most that a release comes late. */
+const LATE = 0.12
+/** px between the top edge of the stage and the lower edge of a chip: least, and what scatter adds. */
+const CLEARANCE = 24
+const CLEARANCE_SCATTER = 120
+/** rad either way. The release box below takes its sine as 1/4. */
+const TILT = 0.25
+/** px/s either way. */
+const DRIFT = 40
+/** rad/s either way. */
+const TWIST = 1.2
+/** px/s² below which gravity alone would not bring a chip into view, and px/s that it starts with instead. */
+const FAINT_GRAVITY = 100
+const FAINT_SPEED = 240
+
+/** A hash of two integers as a number in [0, 1). Mixing steps: Chris Wellons' lowbias32. */
+function scatter(index: number, channel: number): number {
+  let n = Math.imul(index * 8 + channel + 1, 0x9e3779b9)
+  n = Math.imul(n ^ (n >>> 16), 0x7feb352d)
+  n = Math.imul(n ^ (n >>> 15), 0x846ca68b)
+  return ((n ^ (n >>> 16)) >>> 0) / 4294967296
+}
+
+/** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
+function releaseTime(index: number, slot: number): number {
+  return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
+}
+
+/** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
+interface Obstacle {
+  x: number
+  y: number
+  reach: number
+}
+
+/** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
+function releasePose(
+  index: number,
+  width: number,
+  height: number,
+  stageWidth: number,
+  gravity: number,
+  obstacles: Obstacle[],
+) {
+  const either = (channel: number) => 2 * scatter(index, channel) - 1
+  const halfWidth = width / 2 + height / 8
+  const halfHeight = height / 2 + width / 8
+  const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
+  const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
+  let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
+  // From the lowest top to the highest: whatever has been cleared once stays clear.
+  obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
+  for (const other of obstacles) {
+    if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
+      y = other.y - other.reach - halfHeight - 1
+  }
+  return {
+    x,
+    y,
+    angle: TILT * either(3),
+    vx: DRIFT * either(4),
+    vy: gravity < FAINT_GRAVITY ? FAINT_SPEED : 0,
+    spin: TWIST * either(5),
+  }
 }
 
 // stage: the DOM: measure, paint, point, observe, loop ──────────────────────────────────────────────────────

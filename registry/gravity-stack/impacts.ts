@@ -157,7 +157,7 @@ function predict(scene: ImpactScene, c: number, second: boolean, h: number): boo
   if (gap + (v + 0.5 * change) * h >= 0) return false
   const rate = change / h
   const square = v * v - 2 * rate * gap
-  if (square < scene.threshold * scene.threshold) return false
+  if (!(square > scene.threshold * scene.threshold)) return false
   const hit = -Math.sqrt(square)
   const time = Math.min(h, (2 * gap) / (-v - hit))
   // A bounce so low that it would land again within the sub-step is left to rest.
@@ -288,11 +288,13 @@ export function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
+  // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
+  const share = 1 - scene.bounce
   for (let n = 0; n < IMPACT_SWEEPS; n++) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
-    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, IMPACT_SHARE * impacts.fastest)
-    const passOn = Math.max(IMPACT_SPREAD, IMPACT_SPREAD_SHARE * impacts.fastest)
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest)
+    const passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {

@@ -2,9 +2,12 @@ import {
   type Air,
   ANGLE,
   air,
+  COS,
   createBodies,
   EXTENT,
   grown,
+  HX,
+  HY,
   INV_INERTIA,
   INV_MASS,
   MAX_DAMPING,
@@ -12,12 +15,16 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  PUSHED,
+  RADIUS,
   reserveBodies,
   SHAPE,
+  SIN,
   SPIN,
   STATE,
   setPose,
   setShape,
+  turn,
   VX,
   VY,
   X,
@@ -46,6 +53,7 @@ import {
   TOLERANCE_LEAST,
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
+  WALL_GIVE,
 } from './constants'
 import {
   CLEAR,
@@ -314,6 +322,7 @@ export function createWorld(options: WorldOptions) {
       if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
       else solve(b0, b1, c0, c1)
     }
+    for (let n = 0; n < awakeCount; n++) keepInside(awake[n])
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
@@ -372,6 +381,30 @@ export function createWorld(options: WorldOptions) {
       if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
     }
     separate(bodies, contacts, live, c0, end)
+  }
+
+  /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
+  function keepInside(i: number): void {
+    const { state, motion, shape } = bodies
+    const far = shape[i * SHAPE + EXTENT]
+    const atX = state[i * STATE + X]
+    const atY = state[i * STATE + Y]
+    if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+    turn(state, motion, i)
+    const c = Math.abs(motion[i * MOTION + COS])
+    const n = Math.abs(motion[i * MOTION + SIN])
+    const hx = shape[i * SHAPE + HX]
+    const hy = shape[i * SHAPE + HY]
+    const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
+    const ex = hx * c + hy * n + r
+    const ey = hx * n + hy * c + r
+    const s = i * STATE
+    const x = Math.min(Math.max(state[s + X], ex), Math.max(ex, walls.width - ex))
+    const y = Math.min(state[s + Y], walls.height - ey)
+    if (x === state[s + X] && y === state[s + Y]) return
+    state[s + X] = x
+    state[s + Y] = y
+    bodies.moved[i] = PUSHED
   }
 
   /** Whether no body of an island moves or gains speed. */
