@@ -65,7 +65,7 @@ const PUSH = 0.5
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */
-const WALL_GIVE = 0.25
+const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
@@ -1583,7 +1583,7 @@ function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const state = bodies.state
   const d = contacts.data
   // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
-  const share = 1 - scene.bounce
+  const share = 1 - scene.bounce * scene.bounce
   for (let n = 0; n < IMPACT_SWEEPS; n++) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1

@@ -47,7 +47,7 @@ export const PUSH = 0.5
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 export const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */
-export const WALL_GIVE = 0.25
+export const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 export const CLOSING = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */

@@ -289,7 +289,7 @@ export function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
   const state = bodies.state
   const d = contacts.data
   // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
-  const share = 1 - scene.bounce
+  const share = 1 - scene.bounce * scene.bounce
   for (let n = 0; n < IMPACT_SWEEPS; n++) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
