@@ -32,26 +32,23 @@ export function findBrowser() {
   }
 }
 
+async function download() {
+  // Where there is no way to the internet it says so with a page of stack traces: our own last line is enough.
+  const code = await run('playwright', ['install', 'chromium'], { stdio: ['ignore', 'inherit', 'ignore'] })
+  if (code === 0 && !findBrowser()) await run('playwright', ['install-deps', 'chromium'])
+}
+
+async function aptGet() {
+  const env = { DEBIAN_FRONTEND: 'noninteractive' }
+  const packages = ['chromium', 'fonts-liberation']
+  await run('apt-get', ['update', '-q'], { env })
+  await run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...packages], { env })
+}
+
 const ways = [
   { name: 'already here', get: () => {} },
-  { name: "Playwright's download", get: () => run('playwright', ['install', 'chromium']) },
-  {
-    name: "Playwright's download and the libraries it needs",
-    get: () => run('playwright', ['install', '--with-deps', 'chromium']),
-  },
-  {
-    name: 'installed by apt-get',
-    get: async () => {
-      await run('apt-get', ['update', '-q'])
-      await run(
-        'apt-get',
-        ['install', '-y', '-q', '--no-install-recommends', 'chromium', 'fonts-liberation'],
-        {
-          env: { DEBIAN_FRONTEND: 'noninteractive' },
-        },
-      )
-    },
-  },
+  { name: "Playwright's download", get: download },
+  { name: 'installed by apt-get', get: aptGet },
 ]
 
 /** Brings a browser, says which, and leaves its path in CHROME_PATH for the tests. */
