@@ -29,7 +29,7 @@ export function softStack(count: number, hertz: number, frames: number): number[
       const mass = i > 0 ? 0.5 : 1
       const gap = below(sunk, i) - sunk[i]
       const approach = below(speed, i) - speed[i]
-      const pressed = soft && gap < 0
+      const pressed = soft && gap <= 0
       const bias = gap > 0 ? gap / h : pressed ? (omega / a1) * gap : 0
       const change = pressed
         ? -mass * a2 * a3 * (approach + bias) - a3 * impulse[i]

@@ -1,0 +1,31 @@
+import { expect, test } from 'vitest'
+import { chipsOf, defaults, fromQuery, toQuery } from './playground'
+
+test('an untouched playground has a clean address', () => {
+  expect(toQuery(defaults)).toBe('')
+  expect(fromQuery('')).toEqual(defaults)
+})
+
+test('settings survive the way through the address', () => {
+  const settings = {
+    ...defaults,
+    words: 'a & b, c=d, ü',
+    shape: 'mixed' as const,
+    look: 'ink' as const,
+    count: 7,
+    gravity: 0,
+    bounce: 1,
+    seed: 3,
+    interactive: false,
+  }
+  expect(fromQuery(toQuery(settings))).toEqual(settings)
+})
+
+test('numbers out of range are brought into it, nonsense is left at its default', () => {
+  const settings = fromQuery('count=-5&gravity=1e99&bounce=high&shape=star&words=%20')
+  expect(settings).toEqual({ ...defaults, count: 1, gravity: 8000 })
+})
+
+test('no words make chips all the same', () => {
+  expect(chipsOf({ ...defaults, words: ' , ,', count: 2 }).map(({ word }) => word)).toEqual(['chip', 'chip'])
+})
