@@ -10,6 +10,7 @@ import {
   SIN,
   SPIN,
   STATE,
+  turn,
   VX,
   VY,
   X,
@@ -79,12 +80,16 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
 export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
   const i = hold.body * STATE
   const s = bodies.state
+  turn(s, bodies.motion, hold.body)
   const cos = bodies.motion[hold.body * MOTION + COS]
   const sin = bodies.motion[hold.body * MOTION + SIN]
   const rx = cos * hold.localX - sin * hold.localY
   const ry = sin * hold.localX + cos * hold.localY
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
+    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
   const omega = 2 * Math.PI * GRAB_HERTZ
   const a1 = 2 * GRAB_DAMPING + h * omega
   const a2 = h * omega * a1

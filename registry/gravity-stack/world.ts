@@ -365,8 +365,8 @@ export function createWorld(options: WorldOptions) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
         for (const hold of grabbed) {
