@@ -1,0 +1,167 @@
+import { describe, expect, it } from 'vitest'
+import type { Shape } from '../../scenes/exact-distance'
+import { massOf } from '../../scenes/references'
+import { type Chip, frame } from '../../scenes/scene'
+import { seeded } from '../../scenes/seeded'
+import { energy, readAll, worldOf } from './testing'
+
+function anyShape(random: () => number): Shape {
+  const height = 16 + 60 * random()
+  const width = random() < 0.3 ? height : 16 + 100 * random()
+  const round = Math.min(width, height) / 2
+  const kind = random()
+  return { width, height, radius: kind < 0.5 ? round : kind < 0.75 ? round * random() : 0 }
+}
+
+/** Two chips on course for each other, far from every wall. */
+function collision(random: () => number, a: Shape = anyShape(random)): [Chip, Chip] {
+  const b = anyShape(random)
+  const round = 2 * Math.PI * random()
+  const apart = Math.hypot(a.width, a.height) / 2 + Math.hypot(b.width, b.height) / 2 + 4
+  const aim = 0.5 * (random() - 0.5) * apart
+  const speed = 200 + 1400 * random()
+  const [nx, ny] = [Math.cos(round), Math.sin(round)]
+  const drift = { vx: 400 * (random() - 0.5), vy: 400 * (random() - 0.5) }
+  const chip = (shape: Shape, side: number, density: number) => ({
+    ...shape,
+    density,
+    angle: 7 * random(),
+    spin: 16 * (random() - 0.5),
+    x: 5000 + (side * apart * nx - side * aim * ny) / 2,
+    y: 5000 + (side * apart * ny + side * aim * nx) / 2,
+    vx: drift.vx - (side * speed * nx) / 2,
+    vy: drift.vy - (side * speed * ny) / 2,
+  })
+  return [chip(a, -1, 1), chip(b, 1, 0.1 + 5 * random() * random())]
+}
+
+type Motion = { x: number; y: number; vx: number; vy: number; spin: number }
+
+/** Linear and angular momentum about the middle of the stage, with what they are to be compared with. */
+function momentum(chips: Chip[], motions: Motion[]) {
+  let [px, py, spin, size, arm] = [0, 0, 0, 0, 0]
+  chips.forEach((chip, i) => {
+    const { mass, inertia } = massOf(chip)
+    const { x, y, vx, vy, spin: turns } = motions[i]
+    px += mass * vx
+    py += mass * vy
+    spin += mass * ((x - 5000) * vy - (y - 5000) * vx) + inertia * turns
+    size += mass * Math.hypot(vx, vy)
+    arm += mass * Math.hypot(x - 5000, y - 5000) * Math.hypot(vx, vy) + inertia * Math.abs(turns)
+  })
+  return { px, py, spin, size, arm }
+}
+
+const space = { width: 10_000, height: 10_000, gravity: 0, linearDamping: 0, angularDamping: 0, sleep: false }
+
+/** Plays a collision to its end and tells what it did to the momenta, as shares of what there is of them. */
+function play(chips: Chip[], options: { bounce: number; friction: number }) {
+  const { world, ids } = worldOf(chips, { ...space, ...options, bounceThreshold: 0 })
+  const before = momentum(chips, readAll(world, ids))
+  let kinetic = energy(world, ids, chips, 0)
+  let was = world.read(ids[0])
+  let hits = 0
+  for (let k = 0; k < 30; k++) {
+    world.step(frame)
+    const is = world.read(ids[0])
+    if (is.vx !== was.vx || is.vy !== was.vy || is.spin !== was.spin) hits++
+    was = is
+    const now = energy(world, ids, chips, 0)
+    expect(now / kinetic).toBeLessThan(1 + 1e-12)
+    kinetic = now
+  }
+  const after = momentum(chips, readAll(world, ids))
+  return {
+    hits,
+    linear: Math.hypot(after.px - before.px, after.py - before.py) / before.size,
+    angular: Math.abs(after.spin - before.spin) / before.arm,
+  }
+}
+
+describe('two free chips that collide', () => {
+  it('keep their momentum to 1e-9 and gain no energy, whatever bounce and friction: 500 collisions', () => {
+    const random = seeded(1)
+    const angular: number[] = []
+    for (let i = 0; i < 500; i++) {
+      const result = play(collision(random), { bounce: random(), friction: random() })
+      if (result.hits === 0) continue
+      expect(result.linear).toBeLessThan(1e-9)
+      angular.push(result.angular)
+    }
+    expect(angular.length).toBeGreaterThan(400)
+    // Friction between two sides acts at the middle of their two points, whose gaps differ: that is the rest.
+    expect(angular.filter((error) => error < 1e-9).length / angular.length).toBeGreaterThan(0.85)
+    expect(Math.max(...angular)).toBeLessThan(5e-3)
+  })
+
+  it('keep their angular momentum to 1e-9 where they hit in one point: 300 discs into anything', () => {
+    const random = seeded(2)
+    let met = 0
+    for (let i = 0; i < 300; i++) {
+      const chips = collision(random, { width: 40, height: 40, radius: 20 })
+      const { hits, linear, angular } = play(chips, { bounce: random(), friction: random() })
+      if (hits !== 1) continue
+      met++
+      expect(linear).toBeLessThan(1e-9)
+      expect(angular).toBeLessThan(1e-9)
+    }
+    expect(met).toBeGreaterThan(200)
+  })
+
+  it('part as fast as they met at e = 1, and at half that speed at e = 0.5', () => {
+    for (const bounce of [1, 0.5]) {
+      const disc = { width: 30, height: 30, radius: 15, angle: 0, y: 5000 }
+      const chips = [
+        { ...disc, x: 4900, vx: 700 },
+        { ...disc, x: 5100, vx: -300, density: 3 },
+      ]
+      const { world, ids } = worldOf(chips, { ...space, bounce })
+      for (let k = 0; k < 30; k++) world.step(frame)
+      expect(world.read(ids[1]).vx - world.read(ids[0]).vx).toBeCloseTo(1000 * bounce, 9)
+    }
+  })
+})
+
+describe('a chip that lands', () => {
+  it('bounces above the threshold and not below it', () => {
+    for (const [speed, up] of [
+      [100, 50],
+      [80, 0],
+    ]) {
+      const { world, ids } = worldOf(
+        [{ width: 30, height: 30, radius: 15, x: 300, y: 324.9, angle: 0, vy: speed }],
+        {
+          gravity: 0,
+          bounce: 0.5,
+          bounceThreshold: 90,
+          linearDamping: 0,
+        },
+      )
+      world.step(frame)
+      expect(world.read(ids[0]).vy).toBeCloseTo(-up, 6)
+    }
+  })
+
+  it.each([1, 2, 3])(
+    'loses no energy and gains none at e = 1 without friction, %i discs in a box',
+    (count) => {
+      const chips = Array.from({ length: count }, (_, i) => ({
+        width: 40,
+        height: 40,
+        radius: 20,
+        x: 120 + 180 * i,
+        y: 100 + 20 * i,
+        angle: 0,
+        vx: 300 - 200 * i,
+      }))
+      const options = { bounce: 1, friction: 0, bounceThreshold: 0, linearDamping: 0, angularDamping: 0 }
+      const { world, ids } = worldOf(chips, { ...options, sleep: false })
+      const put = energy(world, ids, chips)
+      for (let k = 0; k < 600; k++) {
+        world.step(frame)
+        expect(energy(world, ids, chips) / put).toBeLessThan(1 + 1e-9)
+      }
+      expect(energy(world, ids, chips) / put).toBeGreaterThan(count === 1 ? 1 - 1e-9 : 0.9)
+    },
+  )
+})

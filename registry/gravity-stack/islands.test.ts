@@ -1,0 +1,163 @@
+import { describe, expect, it } from 'vitest'
+import { frame } from '../../scenes/scene'
+import { readAll, run, settle, stage, worldOf } from './testing'
+
+const box = { width: 60, height: 40, angle: 0 }
+const pill = { width: 80, height: 30, radius: 15, angle: 0 }
+const floor = stage.height
+
+/** Boxes on each other, the lowest first. */
+const tower = (count: number, x = 320) =>
+  Array.from({ length: count }, (_, i) => ({ ...box, x, y: floor - 40 * (i + 0.5) }))
+
+function asleep(chips: Parameters<typeof worldOf>[0]) {
+  const made = worldOf(chips)
+  expect(settle(made.world)).toBeLessThan(360)
+  return made
+}
+
+describe('a pile falls asleep', () => {
+  it('as a whole: a tower is either awake or asleep', () => {
+    const { world, ids } = worldOf([...tower(4), { ...pill, x: 320, y: 60 }])
+    for (let k = 0; k < 360 && !world.resting; k++) {
+      world.step(frame)
+      const sleeping = readAll(world, ids.slice(0, 4)).filter((body) => body.asleep).length
+      expect([0, 4]).toContain(sleeping)
+    }
+    expect(world.resting).toBe(true)
+  })
+
+  it('with all its speed gone', () => {
+    const { world, ids } = asleep(tower(3))
+    for (const { vx, vy, spin } of readAll(world, ids)) expect([vx, vy, spin]).toEqual([0, 0, 0])
+  })
+
+  it('but not in the air, at the top of its way up', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 200, vy: -300 }], { gravity: 300 })
+    run(world, 1.2)
+    expect(world.read(ids[0]).asleep).toBe(false)
+  })
+
+  it('and stays awake with sleep switched off', () => {
+    const { world } = worldOf(tower(2), { sleep: false })
+    run(world, 3)
+    expect(world.resting).toBe(false)
+  })
+})
+
+describe('a sleeping pile wakes', () => {
+  it('those above, when their support is taken out, and they fall', () => {
+    const { world, ids } = asleep(tower(4))
+    world.remove(ids[0])
+    expect(world.resting).toBe(false)
+    for (const id of ids.slice(1)) expect(world.read(id).asleep).toBe(false)
+    expect(settle(world)).toBeLessThan(360)
+    ids.slice(1).forEach((id, i) => {
+      expect(world.read(id).y).toBeCloseTo(floor - 40 * (i + 0.5), 1)
+    })
+  })
+
+  it('those above, when their support is put elsewhere', () => {
+    const { world, ids } = asleep(tower(3))
+    world.place(ids[0], { x: 80, y: 100 })
+    settle(world)
+    expect(world.read(ids[1]).y).toBeCloseTo(floor - 20, 1)
+    expect(world.read(ids[0]).y).toBeCloseTo(floor - 20, 1)
+  })
+
+  it('when a chip in it is taken hold of', () => {
+    const { world, ids } = asleep(tower(3))
+    const grab = world.grab(ids[0], 320, floor - 20)
+    for (const id of ids) expect(world.read(id).asleep).toBe(false)
+    grab.release()
+    expect(settle(world)).toBeLessThan(360)
+  })
+
+  it('when the floor moves up or down, and stands on it again', () => {
+    const { world, ids } = asleep(tower(3))
+    for (const height of [240, 460]) {
+      world.resize(stage.width, height)
+      expect(world.resting).toBe(false)
+      expect(settle(world)).toBeLessThan(600)
+      expect(world.read(ids[0]).y).toBeCloseTo(height - 20, 1)
+    }
+  })
+
+  it('when a wall comes in', () => {
+    const { world, ids } = asleep([{ ...box, x: 600, y: floor - 20 }])
+    world.resize(500, floor)
+    expect(settle(world)).toBeLessThan(600)
+    expect(world.read(ids[0]).x).toBeLessThan(470.1)
+  })
+
+  it('not when the stage is told the size it has', () => {
+    const { world } = asleep(tower(2))
+    world.resize(stage.width, stage.height)
+    expect(world.resting).toBe(true)
+  })
+
+  it('when a chip in it grows, and makes room', () => {
+    const { world, ids } = asleep(tower(3))
+    world.reshape(ids[0], { width: 60, height: 60, radius: 0 })
+    expect(world.resting).toBe(false)
+    expect(settle(world)).toBeLessThan(600)
+    expect(world.read(ids[0]).y).toBeCloseTo(floor - 30, 1)
+    expect(world.read(ids[2]).y).toBeCloseTo(floor - 120, 1)
+  })
+
+  it('when gravity turns round', () => {
+    const { world, ids } = asleep(tower(2))
+    world.configure({ gravity: -500 })
+    run(world, 0.5)
+    expect(world.read(ids[1]).y).toBeLessThan(floor - 60 - 50)
+  })
+
+  it('when a chip lands on it', () => {
+    const { world, ids } = asleep(tower(2))
+    world.add({ ...box, x: 320, y: 60 })
+    let woke = false
+    for (let k = 0; k < 60; k++) {
+      world.step(frame)
+      woke ||= !world.read(ids[0]).asleep
+    }
+    expect(woke).toBe(true)
+    expect(settle(world)).toBeLessThan(360)
+  })
+
+  it('when a chip is thrown at it', () => {
+    const { world, ids } = asleep(tower(1))
+    world.add({ ...pill, x: 100, y: floor - 15, vx: 1800 })
+    run(world, 0.4)
+    expect(world.read(ids[0]).x).toBeGreaterThan(330)
+  })
+})
+
+describe('a sleeping chip sleeps on', () => {
+  it('beside a tower that is taken away', () => {
+    const { world, ids } = asleep([...tower(2, 200), ...tower(2, 440)])
+    world.remove(ids[0])
+    for (let k = 0; k < 60; k++) {
+      world.step(frame)
+      expect(world.read(ids[2]).asleep).toBe(true)
+      expect(world.read(ids[3]).asleep).toBe(true)
+    }
+  })
+
+  it('beside one that comes to rest against it', () => {
+    const { world, ids } = asleep([{ ...box, x: 320, y: floor - 20 }])
+    world.add({ ...box, x: 380, y: floor - 20 })
+    for (let k = 0; k < 120; k++) {
+      world.step(frame)
+      expect(world.read(ids[0]).asleep).toBe(true)
+    }
+    expect(world.resting).toBe(true)
+  })
+
+  it('and costs nothing while others fall', () => {
+    const { world } = asleep(tower(5))
+    world.add({ ...pill, x: 80, y: -4000 })
+    run(world, 0.5)
+    expect(world.stats.awake).toBe(1)
+    expect(world.stats.sweeps).toBe(0)
+  })
+})
