@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { sceneNamed, scenes } from '.'
-import { chipDistance, stageDistance } from './exact-distance'
+import { chipDistance, stageDistance, worstOverlap } from './exact-distance'
+import { hardScenes, hardUnits, hardWords } from './hard'
 import { pourChips, pourStage } from './piles'
 import { contactResidual } from './residual'
 import { Film } from './scene'
@@ -21,6 +22,25 @@ describe('the scenes', () => {
           const gap = chipDistance(chips[i], chips[i], chips[j], chips[j])
           expect(gap, `${scene.name}, chips ${i} and ${j}`).toBeGreaterThan(-1e-9)
         }
+      }
+    }
+  })
+
+  it('start hard only where hard means chips in one another', () => {
+    const overlapping = ['crammed', 'same-place', 'random-poses']
+    for (const scene of hardScenes) {
+      const chips = scene.build(1)
+      const deep = worstOverlap(chips, chips, scene)
+      if (overlapping.includes(scene.name)) expect(deep, scene.name).toBeGreaterThan(10)
+      else expect(deep, scene.name).toBeLessThan(1e-6)
+    }
+  })
+
+  it('bind only figures that have a unit and a word', () => {
+    for (const scene of hardScenes) {
+      for (const key of Object.keys(scene.bounds) as (keyof typeof hardUnits)[]) {
+        expect(hardUnits[key]).toBeDefined()
+        expect(hardWords[key]).toBeDefined()
       }
     }
   })
