@@ -36,7 +36,7 @@ function quantile(values: Float64Array, q: number) {
 
 /**
  * Microseconds of each chunk of frames, the same run played three times over and the median taken chunk by chunk:
- * what else the machine does hits one run here and another there. Runs of seconds are played once.
+ * what else the machine does hits one run here and another there. Long runs are played once.
  */
 function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number, chunk: number) {
   const chunks = Math.round((scene.seconds * 60) / chunk)
@@ -53,7 +53,7 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
     run.free()
     runs.push(times)
     total = times.reduce((sum, time) => sum + time * chunk, 0)
-  } while (runs.length < 3 && total < 2e6)
+  } while (runs.length < 3 && total < 4e5)
   return runs[0].map((_, k) => median(runs.map((run) => run[k])))
 }
 
@@ -95,7 +95,7 @@ function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
     while (performance.now() - begin < share / 2) playThrice(engine, scene, setting, 1, chunk)
     const costs: number[] = []
     while (costs.length === 0 || (performance.now() - begin < share && costs.length < 100)) {
-      if (cost * scene.seconds * 60 > 2e6) return cost
+      if (cost * scene.seconds * 60 > 4e5) return cost
       cost = mean(playThrice(engine, scene, setting, 1 + (costs.length % scene.seeds), chunk))
       costs.push(cost)
     }
