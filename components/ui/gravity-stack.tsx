@@ -98,7 +98,7 @@ const REST_TIME = 0.5
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
-const GRAB_STRENGTH = 100
+const GRAB_STRENGTH = 14
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
 
@@ -2474,12 +2474,16 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
 function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
   const i = hold.body * STATE
   const s = bodies.state
+  turn(s, bodies.motion, hold.body)
   const cos = bodies.motion[hold.body * MOTION + COS]
   const sin = bodies.motion[hold.body * MOTION + SIN]
   const rx = cos * hold.localX - sin * hold.localY
   const ry = sin * hold.localX + cos * hold.localY
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
+    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
   const omega = 2 * Math.PI * GRAB_HERTZ
   const a1 = 2 * GRAB_DAMPING + h * omega
   const a2 = h * omega * a1
@@ -2870,18 +2874,21 @@ function createWorld(options: WorldOptions) {
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
     const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
-    const sweeps =
-      speed > LIVELY
-        ? SWEEPS_LIVELY
-        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
+    // A hand can press harder than any chip: what it does is solved to the end.
+    const sweeps =
+      grabbed.length > 0
+        ? SWEEPS
+        : speed > LIVELY
+          ? SWEEPS_LIVELY
+          : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
         for (const hold of grabbed) {

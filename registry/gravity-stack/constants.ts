@@ -80,6 +80,6 @@ export const REST_TIME = 0.5
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
-export const GRAB_STRENGTH = 100
+export const GRAB_STRENGTH = 14
 /** px/s, the most a chip keeps when it is let go. */
 export const MAX_TOSS = 1800

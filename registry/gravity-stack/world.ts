@@ -355,11 +355,14 @@ export function createWorld(options: WorldOptions) {
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
     const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
-    const sweeps =
-      speed > LIVELY
-        ? SWEEPS_LIVELY
-        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
+    // A hand can press harder than any chip: what it does is solved to the end.
+    const sweeps =
+      grabbed.length > 0
+        ? SWEEPS
+        : speed > LIVELY
+          ? SWEEPS_LIVELY
+          : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
