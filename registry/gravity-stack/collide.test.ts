@@ -196,7 +196,7 @@ describe('two chips', () => {
         expect(ny).toBeCloseTo(-ux, 9)
         expect(points).toHaveLength(2)
         const [one, two] = points
-        const sides = long - 2 * (shape.radius ?? 0) - Math.abs(shift)
+        const sides = long - 2 * ((shape as { radius?: number }).radius ?? 0) - Math.abs(shift)
         expect(Math.hypot(one.onA.x - two.onA.x, one.onA.y - two.onA.y)).toBeCloseTo(sides, 6)
         for (const point of points) expect(point.gap).toBeCloseTo(-0.01, 9)
       }
