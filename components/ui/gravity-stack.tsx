@@ -3837,10 +3837,12 @@ function createStage(root: HTMLElement): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      // A finger is captured by what it touched from the start. A pointer made up by a script can't be.
       try {
+        // A finger is captured by what it touched from the start.
         if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
-      } catch {}
+      } catch {
+        // A pointer made up by a script can't be captured.
+      }
       if (!press.grab) hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
