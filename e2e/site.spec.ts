@@ -40,6 +40,10 @@ for (const path of pages) {
         await page.emulateMedia({ colorScheme })
         await page.goto(path)
         await page.waitForLoadState('networkidle')
+        // A chip that falls past other words covers them for a moment.
+        await expect(page.locator('[data-slot="gravity-stack"][data-state="running"]')).toHaveCount(0, {
+          timeout: 30_000,
+        })
         expect((await new AxeBuilder({ page }).analyze()).violations).toEqual([])
       })
 
