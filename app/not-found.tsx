@@ -7,21 +7,21 @@ export default function NotFound() {
   return (
     <main id="content" className="mx-auto flex w-full max-w-[80rem] flex-1 flex-col px-4 py-6 sm:px-6">
       <div className="relative flex min-h-[32rem] flex-1 flex-col items-center overflow-hidden rounded-t-3xl border bg-stage pt-16 text-center">
-        <LostWords />
-        <div className="pointer-events-none relative">
+        <div>
           <h1 className="font-semibold text-4xl tracking-[-0.03em] sm:text-5xl">Page not found</h1>
           <p className="mt-4 text-muted-foreground">
             Try{' '}
-            <a href="/docs/gravity-stack" className="pointer-events-auto underline underline-offset-4">
+            <a href="/docs/gravity-stack" className="underline underline-offset-4">
               the docs
             </a>{' '}
             or go{' '}
-            <a href="/" className="pointer-events-auto underline underline-offset-4">
+            <a href="/" className="underline underline-offset-4">
               home
             </a>
             .
           </p>
         </div>
+        <LostWords />
       </div>
     </main>
   )

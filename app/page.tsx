@@ -26,7 +26,7 @@ export default function Home() {
               A React component whose children drop in, tumble and settle into a pile. Its own rigid-body
               solver, in the one file you copy.
             </p>
-            <div className="pointer-events-auto mt-6 flex w-full max-w-xl flex-col items-center gap-4">
+            <div className="mt-6 flex w-full max-w-xl flex-col items-center gap-4">
               <div className="w-full">
                 <Command
                   label="add gravity-stack"

@@ -68,12 +68,14 @@ export function Hero({
   return (
     <div className="overflow-hidden rounded-3xl border bg-panel">
       <section className="relative isolate bg-stage">
+        {children}
+        {/* In front of the words: a chip that falls past covers them for a moment, and never stands behind them. */}
         <GravityStack
           actionsRef={actions}
           gravity={effect === 'heavier' ? 6000 : undefined}
           bounce={effect === 'bouncier' ? 0.7 : undefined}
           stagger={90}
-          className="absolute inset-0 h-full"
+          className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto"
         >
           {chips.map(([words, tint, shape]) => (
             <span
@@ -88,7 +90,6 @@ export function Hero({
             </span>
           ))}
         </GravityStack>
-        <div className="pointer-events-none relative">{children}</div>
       </section>
 
       <div className="code border-t">

@@ -9,7 +9,7 @@ const words = ['This', 'page', 'fell', 'down', 'and', 'nobody', 'picked', 'it', 
 
 export function LostWords() {
   return (
-    <GravityStack className="absolute inset-0 h-full">
+    <GravityStack className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto">
       {words.map((word) => (
         <span
           key={word}
