@@ -67,6 +67,9 @@ const components: Record<string, unknown> = {
   ActionsTable,
   Changelog: () => <Changelog components={components as never} />,
   Command,
+  AddNamespace: () => (
+    <Command label="namespace" run={`shadcn@latest registry add @liten=${siteUrl}/r/{name}.json`} />
+  ),
   AddCommand: ({ name }: { name: string }) => (
     <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />
   ),

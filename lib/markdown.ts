@@ -15,6 +15,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
       '| --- | --- |',
       ...readActions().map(({ name, description }) => `| \`${name}()\` | ${description} |`),
     ].join('\n'),
+  AddNamespace: () => fence('bash', `npx shadcn@latest registry add @liten=${siteUrl}/r/{name}.json`),
   AddCommand: ({ name }) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`),
   Changelog: changelog,
   Command: ({ add, run }) => fence('bash', add ? `npm install ${add}` : `npx ${run}`),

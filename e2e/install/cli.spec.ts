@@ -35,6 +35,16 @@ test('the namespace @liten lists, finds and shows every item', async ({ make }) 
   expect(shown.meta.version).toBe(JSON.parse(await readFile(join(root, 'package.json'), 'utf8')).version)
 })
 
+test('one command of the Setup page teaches a project the namespace', async ({ make, page }) => {
+  const project = await make('namespace')
+  await bare(project)
+  await project.write({ 'components.json': components('app.css') })
+  await page.goto('/docs/setup')
+  const command = await page.getByText(/^npx shadcn@latest registry add @liten=/).textContent()
+  await project.shadcn(...(command ?? '').trim().split(' ').slice(2))
+  expect(await project.shadcn('list', '@liten')).toContain('@liten/gravity-stack')
+})
+
 test('the MCP server finds the examples by name and hands out their code', async ({ make }) => {
   const project = await make('bare')
   await bare(project)
