@@ -1,0 +1,256 @@
+import { describe, expect, it } from 'vitest'
+import { chipDistance } from '../../scenes/exact-distance'
+import { pourChips } from '../../scenes/piles'
+import { type Chip, frame } from '../../scenes/scene'
+import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
+
+const pill = { width: 80, height: 30, radius: 15, angle: 0 }
+const floor = stage.height
+
+/** Holds chip `i` of a pile that rests. */
+function pile(chips: Chip[]) {
+  const made = worldOf(chips)
+  settle(made.world)
+  return made
+}
+
+describe('a held chip', () => {
+  it('hangs still with its centre below the pointer, and less than 4 px from it', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 350, 100)
+    for (let k = 1; k <= 1200; k++) {
+      grab.moveTo(350, 100, k * frame)
+      world.step(frame)
+    }
+    const { x, y, angle, vx, vy, spin } = world.read(ids[0])
+    expect(Math.hypot(vx, vy)).toBeLessThan(1)
+    expect(Math.abs(spin)).toBeLessThan(0.05)
+    expect(x).toBeCloseTo(350, 0)
+    expect(y).toBeGreaterThan(125)
+    // The point held was 30 px right of the centre.
+    const held = { x: x + 30 * Math.cos(angle), y: y + 30 * Math.sin(angle) }
+    expect(Math.hypot(held.x - 350, held.y - 100)).toBeLessThan(4)
+  })
+
+  it('swings at first, round the pointer', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    world.grab(ids[0], 350, 100)
+    let most = 0
+    for (let k = 0; k < 60; k++) {
+      world.step(frame)
+      most = Math.max(most, world.read(ids[0]).x)
+    }
+    expect(most).toBeGreaterThan(354)
+  })
+
+  it('swings less and less: nothing feeds it', () => {
+    for (const drag of [undefined, 0]) {
+      const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }], {
+        linearDamping: drag,
+        angularDamping: drag,
+      })
+      world.grab(ids[0], 350, 100)
+      const widest = Array.from({ length: 8 }, () => {
+        let most = 0
+        for (let k = 0; k < 60; k++) {
+          world.step(frame)
+          most = Math.max(most, Math.abs(world.read(ids[0]).x - 350))
+        }
+        return most
+      })
+      for (let second = 1; second < 8; second++) expect(widest[second]).toBeLessThan(widest[second - 1])
+      if (drag === undefined) expect(widest[7]).toBeLessThan(8)
+    }
+  })
+
+  it('follows the pointer across the stage and comes to rest where it stops', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 100, y: 100 }])
+    const grab = world.grab(ids[0], 100, 100)
+    for (let k = 1; k <= 180; k++) {
+      const x = Math.min(500, 100 + 10 * k)
+      grab.moveTo(x, 100, k * frame)
+      world.step(frame)
+    }
+    const { x, y } = world.read(ids[0])
+    expect(Math.hypot(x - 500, y - 100)).toBeLessThan(4)
+  })
+
+  it.each([
+    ['floor', 320, 5000],
+    ['left wall', -5000, 200],
+    ['right wall', 6000, 200],
+    ['corner', 6000, 5000],
+  ])('can not be dragged through the %s', (_, x, y) => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 200 }])
+    const grab = world.grab(ids[0], 320, 200)
+    for (let k = 1; k <= 120; k++) {
+      grab.moveTo(x, y, k * frame)
+      world.step(frame)
+      expect(outside(world, ids, [pill])).toBeLessThan(3)
+      expect(finite(world, ids)).toBe(true)
+    }
+    grab.release()
+    settle(world)
+    expect(world.resting).toBe(true)
+    expect(outside(world, ids, [pill])).toBeLessThan(0.05)
+  })
+
+  it('can not be dragged through the pile, and the pile heals when it is let go', () => {
+    for (let seed = 1; seed <= 3; seed++) {
+      const chips = pourChips('pills', 40, seed)
+      const { world, ids } = pile(chips)
+      const top = ids.reduce((a, b) => (world.read(a).y < world.read(b).y ? a : b))
+      const { x, y } = world.read(top)
+      const grab = world.grab(top, x, y)
+      let worst = 0
+      for (let k = 1; k <= 120; k++) {
+        const at = 320 + 280 * Math.sin(k / 12)
+        grab.moveTo(at, floor + 200, k * frame)
+        world.step(frame)
+        worst = Math.max(worst, overlap(world, ids, chips))
+        expect(finite(world, ids)).toBe(true)
+      }
+      expect(worst).toBeLessThan(10)
+      grab.release()
+      settle(world, 600)
+      expect(world.resting).toBe(true)
+      expect(overlap(world, ids, chips)).toBeLessThan(0.05)
+    }
+  })
+
+  it('can not be pulled through a row of standing chips', () => {
+    const wall = Array.from({ length: 8 }, (_, i) => ({
+      width: 40,
+      height: 40,
+      angle: 0,
+      x: 320,
+      y: floor - 40 * (i + 0.5),
+      density: 200,
+    }))
+    const chips = [{ ...pill, x: 100, y: 300 }, ...wall]
+    const { world, ids } = worldOf(chips)
+    const grab = world.grab(ids[0], 100, 300)
+    for (let k = 1; k <= 120; k++) {
+      grab.moveTo(600, 300, k * frame)
+      world.step(frame)
+      const [held, ...stones] = readAll(world, ids)
+      stones.forEach((stone, i) => {
+        expect(chipDistance(pill, held, wall[i], stone)).toBeGreaterThan(-3)
+      })
+    }
+    expect(world.read(ids[0]).x).toBeLessThan(320)
+  })
+
+  it('lifts a chip out from under others without a jolt', () => {
+    const chips = pourChips('badges', 30, 2)
+    const { world, ids } = pile(chips)
+    const low = ids.reduce((a, b) => (world.read(a).y > world.read(b).y ? a : b))
+    const from = world.read(low)
+    const grab = world.grab(low, from.x, from.y)
+    for (let k = 1; k <= 120; k++) {
+      grab.moveTo(from.x, Math.max(40, from.y - 4 * k), k * frame)
+      world.step(frame)
+    }
+    expect(world.read(low).y).toBeLessThan(from.y - 60)
+    for (const { vx, vy } of readAll(world, ids)) expect(Math.hypot(vx, vy)).toBeLessThan(1800)
+  })
+})
+
+describe('a chip let go', () => {
+  /** Moves the pointer to the right at `speed` with `rate` events a second and lets go. */
+  function throwAt(speed: number, rate: number, frames = 30) {
+    const { world, ids } = worldOf([{ ...pill, x: 200, y: 100 }], { width: 4000, height: 2000, gravity: 0 })
+    const grab = world.grab(ids[0], 200, 100)
+    let event = 0
+    for (let k = 1; k <= frames; k++) {
+      while (event < k * frame * rate) {
+        grab.moveTo(200 + (speed * event) / rate, 100, event / rate)
+        event++
+      }
+      world.step(frame)
+    }
+    grab.release()
+    return world.read(ids[0])
+  }
+
+  it('leaves with the speed of the pointer, the same at 30, 60, 120 and 240 events a second', () => {
+    for (const speed of [200, 600, 1200]) {
+      for (const rate of [30, 60, 120, 240]) {
+        expect(throwAt(speed, rate).vx / speed).toBeCloseTo(1, 1)
+        expect(Math.abs(throwAt(speed, rate).vx / throwAt(speed, 240).vx - 1)).toBeLessThan(0.03)
+      }
+    }
+  })
+
+  it('never leaves faster than 1800 px/s', () => {
+    for (const speed of [2500, 10_000]) {
+      const { vx, vy } = throwAt(speed, 60, 12)
+      expect(Math.hypot(vx, vy)).toBeLessThanOrEqual(1800 + 1e-9)
+      expect(vx).toBeGreaterThan(500)
+    }
+  })
+
+  it('falls straight down if it hung still', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 320, 100)
+    for (let k = 1; k <= 120; k++) {
+      grab.moveTo(320, 100, k * frame)
+      world.step(frame)
+    }
+    grab.release()
+    const { vx, vy } = world.read(ids[0])
+    expect(Math.hypot(vx, vy)).toBeLessThan(5)
+  })
+
+  it('does not fly off if it was stuck while the pointer flew by', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: floor - 15 }])
+    const grab = world.grab(ids[0], 320, floor - 15)
+    for (let k = 1; k <= 30; k++) {
+      grab.moveTo(320, floor - 15 + 60 * k, k * frame)
+      world.step(frame)
+    }
+    grab.release()
+    const { vx, vy } = world.read(ids[0])
+    expect(Math.hypot(vx, vy)).toBeLessThan(300)
+  })
+
+  it('may be let go twice, and its pointer may move on: nothing happens', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 320, 100)
+    run(world, 0.5)
+    grab.release()
+    const before = world.hash()
+    grab.release()
+    grab.moveTo(0, 0, 9)
+    expect(world.hash()).toBe(before)
+    expect(settle(world)).toBeLessThan(360)
+    expect(world.read(ids[0]).y).toBeCloseTo(floor - 15, 1)
+  })
+
+  it('may be taken out of the world while it is held', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 320, 100)
+    world.remove(ids[0])
+    const id = world.add({ ...pill, x: 100, y: 100 })
+    grab.moveTo(600, 20, 1)
+    run(world, 0.5)
+    grab.release()
+    settle(world)
+    expect(world.resting).toBe(true)
+    expect(world.read(id).x).toBeCloseTo(100, 3)
+  })
+
+  it('is held by two pointers until both let go', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const [left, right] = [world.grab(ids[0], 290, 100), world.grab(ids[0], 350, 100)]
+    run(world, 2)
+    expect(world.read(ids[0]).y).toBeCloseTo(100, -1)
+    expect(world.read(ids[0]).angle).toBeCloseTo(0, 1)
+    left.release()
+    run(world, 3)
+    expect(world.read(ids[0]).y).toBeGreaterThan(120)
+    right.release()
+    settle(world)
+    expect(world.resting).toBe(true)
+  })
+})

@@ -1,0 +1,283 @@
+import { execFileSync } from 'node:child_process'
+import { fileURLToPath } from 'node:url'
+import { describe, expect, it } from 'vitest'
+import { exactScenes } from '../../scenes/exact'
+import { type Kind, pourChips } from '../../scenes/piles'
+import { type Chip, Film, frame, numbersPerChip, type Scene } from '../../scenes/scene'
+import { seeded } from '../../scenes/seeded'
+import { fingerprint, pinned } from './pins'
+import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
+import { createWorld } from './world'
+
+/** Runs a named scene as the benchmark does, with every frame kept. */
+function film(scene: Scene) {
+  const chips = scene.build(1)
+  const { world, ids } = worldOf(chips, { ...scene.conditions, ...scene, sleep: false })
+  const film = new Film(scene, chips)
+  for (let k = 1; k <= film.frames; k++) {
+    world.step(frame)
+    readAll(world, ids).forEach(({ x, y, angle, vx, vy, spin }, i) => {
+      film.at(k).set([x, y, angle, vx, vy, spin], i * numbersPerChip)
+    })
+  }
+  return film
+}
+
+describe('what has one right answer', () => {
+  for (const scene of exactScenes) {
+    it(`${scene.title}, as the closed form says`, () => {
+      const errors = scene.measure(film(scene))
+      for (const [i, { target }] of scene.measures.entries()) expect(errors[i]).toBeLessThanOrEqual(target!)
+    })
+  }
+
+  it('more sub-steps bring it nearer to a topple', () => {
+    const topple = exactScenes.find(({ name }) => name === 'topple')!
+    const errors = [2, 8, 32].map((substeps) =>
+      Math.max(...topple.measure(film({ ...topple, substeps } as Scene))),
+    )
+    expect(errors[1]).toBeLessThan(errors[0])
+    expect(errors[2]).toBeLessThan(errors[1])
+  })
+})
+
+describe('a pile that is poured', () => {
+  const kinds: Kind[] = ['pills', 'badges', 'mixed']
+  const seeds = Array.from({ length: 12 }, (_, i) => i + 1)
+
+  for (const kind of kinds) {
+    it(`of ${kind} stays in the stage, gains no energy, comes to rest and then costs nothing: 12 seeds`, () => {
+      for (const seed of seeds) {
+        const count = [12, 24, 40, 60][seed % 4]
+        const chips = pourChips(kind, count, seed)
+        const { world, ids } = worldOf(chips)
+        const put = energy(world, ids, chips)
+        const say = `${kind}, ${count} chips, seed ${seed}`
+        let frames = 0
+        for (; frames < 360 && !world.resting; frames++) {
+          world.step(frame)
+          expect(finite(world, ids), say).toBe(true)
+          expect(outside(world, ids, chips), say).toBeLessThan(1)
+          expect(energy(world, ids, chips) / put, say).toBeLessThan(1.001)
+        }
+        expect(world.resting, say).toBe(true)
+        expect(
+          readAll(world, ids).every((body) => body.asleep),
+          say,
+        ).toBe(true)
+        expect(overlap(world, ids, chips), say).toBeLessThan(0.05)
+
+        const hash = world.hash()
+        run(world, 1)
+        expect(world.hash(), say).toBe(hash)
+        const { awake, narrow, islands, substeps, sweeps, hits } = world.stats
+        expect([awake, narrow, islands, substeps, sweeps, hits], say).toEqual([0, 0, 0, 0, 0, 0])
+      }
+    })
+  }
+
+  it('from ids of removed chips is no other: slots are used again', () => {
+    const chips = pourChips('mixed', 20, 3)
+    const { world, ids } = worldOf(chips)
+    run(world, 1)
+    for (const id of ids) world.remove(id)
+    expect(world.resting).toBe(true)
+    const again = chips.map((chip) => world.add(chip))
+    expect(Math.max(...again)).toBe(Math.max(...ids))
+    expect(settle(world)).toBeLessThan(360)
+    expect(overlap(world, again, chips)).toBeLessThan(0.05)
+  })
+})
+
+describe('time', () => {
+  const chips = pourChips('mixed', 20, 5)
+
+  /** Hash after `seconds` handed in as `parts` says. */
+  function hashAfter(seconds: number, part: () => number) {
+    const { world } = worldOf(chips)
+    let left = seconds
+    while (left > 1e-9) {
+      const dt = Math.min(left, part())
+      world.step(dt)
+      left -= dt
+    }
+    return world.hash()
+  }
+
+  it('may come in pieces of 4 to 50 ms, as displays give it: the same bits as steady frames', () => {
+    const random = seeded(9)
+    // Half a step past a whole number of steps, so that rounding can't decide whether the last one is taken.
+    const seconds = 100.5 * frame
+    const steady = hashAfter(seconds, () => frame)
+    expect(hashAfter(seconds, () => 1 / 240)).toBe(steady)
+    expect(hashAfter(seconds, () => 1 / 144)).toBe(steady)
+    expect(hashAfter(seconds, () => 0.05)).toBe(steady)
+    for (let k = 0; k < 10; k++) expect(hashAfter(seconds, () => 0.004 + 0.046 * random())).toBe(steady)
+  })
+
+  it('that is none does nothing', () => {
+    const { world } = worldOf(chips)
+    run(world, 0.5)
+    const before = world.hash()
+    for (const dt of [0, -1, NaN, Infinity, -Infinity]) world.step(dt)
+    expect(world.hash()).toBe(before)
+  })
+
+  it('in between is drawn in between: a falling chip moves at every display rate', () => {
+    const { world } = worldOf([{ width: 40, height: 40, x: 320, y: 50, angle: 0, vy: 300 }], {
+      gravity: 0,
+      linearDamping: 0,
+    })
+    let last = 0
+    for (let k = 0; k < 60; k++) {
+      world.step(1 / 240)
+      world.eachMoved((_, __, y) => {
+        if (k > 8) expect(y - last).toBeCloseTo(300 / 240, 1)
+        last = y
+      })
+    }
+  })
+
+  it('draws each chip once more when it has fallen asleep, and then never again', () => {
+    const { world, ids } = worldOf(chips)
+    settle(world)
+    const seen = new Map<number, number>()
+    world.eachMoved((id, x, y, angle) => {
+      seen.set(id, (seen.get(id) ?? 0) + 1)
+      const body = world.read(id)
+      expect([x, y, angle]).toEqual([body.x, body.y, body.angle])
+    })
+    expect([...seen.values()]).toEqual(ids.map(() => 1))
+    world.eachMoved(() => expect.unreachable())
+  })
+})
+
+describe('the same bits', () => {
+  it('settle five named scenes at the pinned step: renew with npx vitest run registry/gravity-stack/world -u', async () => {
+    const all = Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)]))
+    for (const [name, { steps }] of Object.entries(all)) expect(steps, name).toBeLessThan(600)
+    await expect(`${JSON.stringify(all, null, 2)}\n`).toMatchFileSnapshot('./pins.json')
+  })
+
+  it('come twice from the same scene', () => {
+    expect(fingerprint('pour-mixed-60', createWorld)).toEqual(fingerprint('pour-mixed-60', createWorld))
+  })
+})
+
+describe('a step', () => {
+  it('allocates next to nothing: 60 chips awake, 600 steps, in a process of its own', () => {
+    const sample = fileURLToPath(new URL('./heap-sample.ts', import.meta.url))
+    const rounds: number[] = JSON.parse(
+      execFileSync(process.execPath, ['--import', 'tsx', sample], { encoding: 'utf8' }),
+    )
+    // The least of the rounds: one in which a function is compiled anew is not the rule.
+    expect(Math.min(...rounds)).toBeGreaterThanOrEqual(0)
+    expect(Math.min(...rounds)).toBeLessThan(2000)
+  })
+})
+
+describe('input that makes no sense', () => {
+  const odd = [NaN, Infinity, -Infinity, -1, 0, 1e9, -1e9, 1e308, 1e-308]
+  const good: Chip = { width: 60, height: 30, radius: 15, x: 320, y: 100, angle: 0 }
+  const add = ['width', 'height', 'radius', 'x', 'y', 'angle', 'vx', 'vy', 'spin', 'density'] as const
+
+  function stands(world: ReturnType<typeof createWorld>, ids: number[]) {
+    for (let k = 0; k < 30; k++) {
+      world.step(frame)
+      expect(finite(world, ids)).toBe(true)
+    }
+    for (const id of ids) {
+      const { mass, inertia } = world.mass(id)
+      expect(mass > 0 && inertia > 0).toBe(true)
+    }
+  }
+
+  it.each(add)('of a chip is borne: %s', (key) => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good, { ...good, [key]: value }, { ...good, x: 200 }])
+      stands(world, ids)
+    }
+  })
+
+  it.each(['x', 'y', 'angle', 'vx', 'vy', 'spin'])('of a place is borne: %s', (key) => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good, { ...good, y: 200 }])
+      world.place(ids[0], { [key]: value })
+      stands(world, ids)
+    }
+  })
+
+  it.each(['width', 'height', 'radius'])('of a new shape is borne: %s', (key) => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good, { ...good, y: 200 }])
+      world.reshape(ids[0], { width: 40, height: 40, radius: 4, [key]: value })
+      stands(world, ids)
+    }
+  })
+
+  it.each([
+    'gravity',
+    'bounce',
+    'friction',
+    'linearDamping',
+    'angularDamping',
+    'bounceThreshold',
+    'substeps',
+    'width',
+    'height',
+  ])('of a world is borne: %s', (key) => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good, { ...good, y: 200 }], { [key]: value })
+      stands(world, ids)
+    }
+  })
+
+  it.each(['gravity', 'bounce', 'friction'])('of a live prop is borne: %s', (key) => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good, { ...good, y: 200 }])
+      run(world, 0.2)
+      world.configure({ [key]: value })
+      stands(world, ids)
+    }
+  })
+
+  it('of a stage is borne, and all chips are inside when it makes sense again', () => {
+    const chips = [good, { ...good, y: 200 }]
+    const { world, ids } = worldOf(chips)
+    for (const value of odd) {
+      world.resize(value, 340)
+      stands(world, ids)
+      world.resize(640, value)
+      stands(world, ids)
+    }
+    world.resize(stage.width, stage.height)
+    settle(world, 600)
+    expect(world.resting).toBe(true)
+    expect(outside(world, ids, chips)).toBeLessThan(0.1)
+  })
+
+  it('of a pointer is borne', () => {
+    for (const value of odd) {
+      const { world, ids } = worldOf([good])
+      const grab = world.grab(ids[0], value, 100)
+      grab.moveTo(value, 100, 0)
+      grab.moveTo(100, value, 0.1)
+      grab.moveTo(100, 100, value)
+      stands(world, ids)
+      grab.release()
+      stands(world, ids)
+    }
+  })
+
+  it('of ids that are gone is borne', () => {
+    const { world, ids } = worldOf([good])
+    world.remove(ids[0])
+    world.remove(ids[0])
+    world.place(ids[0], { x: 5 })
+    world.reshape(ids[0], { width: 5, height: 5 })
+    expect(world.resting).toBe(true)
+    const [a, b] = [world.add(good), world.add({ ...good, y: 200 })]
+    expect(a).not.toBe(b)
+    stands(world, [a, b])
+  })
+})
