@@ -2687,13 +2687,13 @@ function createWorld(options: WorldOptions) {
     bodies,
     contacts,
     walls,
-    gravity: options.gravity ?? GRAVITY,
-    bounce: options.bounce ?? BOUNCE,
-    friction: options.friction ?? FRICTION,
-    threshold: options.bounceThreshold ?? BOUNCE_THRESHOLD,
+    gravity: within(options.gravity, -1e5, 1e5, GRAVITY),
+    bounce: within(options.bounce, 0, 1, BOUNCE),
+    friction: within(options.friction, 0, 100, FRICTION),
+    threshold: within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD),
   }
-  const damping = Math.min(MAX_DAMPING, options.linearDamping ?? LINEAR_DAMPING)
-  const spinDamping = Math.min(MAX_DAMPING, options.angularDamping ?? ANGULAR_DAMPING)
+  const damping = within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING)
+  const spinDamping = within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING)
   const airs = new Map<number, { linear: Air; spin: Air }>()
   const holds: Hold[] = []
   const freeSlots: number[] = []
@@ -2870,7 +2870,7 @@ function createWorld(options: WorldOptions) {
     const live = islands.live
     let end = c0
     const speed = fastest(b0, b1)
-    const substeps = options.substeps ?? SUBSTEPS
+    const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
     const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
     const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
@@ -3015,12 +3015,12 @@ function createWorld(options: WorldOptions) {
       const i = freeSlots.pop() ?? bodies.count++
       reserve(bodies.count)
       const s = i * STATE
-      densities[i] = positive(body.density, 1)
+      densities[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
       setPose(bodies, i, finite(body.x), finite(body.y), finite(body.angle))
       bodies.state[s + VX] = finite(body.vx)
       bodies.state[s + VY] = finite(body.vy)
-      bodies.state[s + SPIN] = finite(body.spin)
+      bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
       capSpeed(bodies.state, s)
       bodies.alive[i] = 1
       population++
@@ -3061,7 +3061,7 @@ function createWorld(options: WorldOptions) {
       )
       state[s + VX] = finite(motion.vx, state[s + VX])
       state[s + VY] = finite(motion.vy, state[s + VY])
-      state[s + SPIN] = finite(motion.spin, state[s + SPIN])
+      state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
       capSpeed(state, s)
       forget(id)
     },
@@ -3089,9 +3089,9 @@ function createWorld(options: WorldOptions) {
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
     configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
-      scene.gravity = finite(change.gravity, scene.gravity)
-      scene.bounce = finite(change.bounce, scene.bounce)
-      scene.friction = finite(change.friction, scene.friction)
+      scene.gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+      scene.bounce = within(change.bounce, 0, 1, scene.bounce)
+      scene.friction = within(change.friction, 0, 100, scene.friction)
       for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) wake(i)
     },
 
@@ -3139,13 +3139,19 @@ function createWorld(options: WorldOptions) {
 
     /** Takes hold of body `id` at the point (x, y) of the stage. */
     grab(id: number, x: number, y: number): Grab {
-      const hold = createHold(bodies, id, x, y)
+      const hold = createHold(
+        bodies,
+        id,
+        within(x, -1e6, 1e6, bodies.state[id * STATE + X]),
+        within(y, -1e6, 1e6, bodies.state[id * STATE + Y]),
+      )
       disturb(id)
       held[id]++
       holds.push(hold)
       return {
         moveTo(toX, toY, seconds) {
-          recordHold(hold, finite(toX, hold.x), finite(toY, hold.y), seconds)
+          const when = within(seconds, -1e12, 1e12, 0)
+          recordHold(hold, within(toX, -1e6, 1e6, hold.x), within(toY, -1e6, 1e6, hold.y), when)
         },
         release() {
           const n = holds.indexOf(hold)
@@ -3231,6 +3237,11 @@ function createWorld(options: WorldOptions) {
 
 function finite(value: number | undefined, otherwise = 0): number {
   return value !== undefined && value - value === 0 ? value : otherwise
+}
+
+/** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
+function within(value: number | undefined, least: number, most: number, otherwise: number): number {
+  return Math.max(least, Math.min(most, finite(value, otherwise)))
 }
 
 function positive(value: number | undefined, otherwise: number): number {
