@@ -71,8 +71,9 @@ export default function Benchmarks() {
         <time dateTime={results.date}>
           {new Date(results.date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
         </time>
-        . 60 frames a second, gravity 2,600 px/s², nothing asleep. Raw data: <Download file="results.json" />,{' '}
-        <Download file="errors.csv" />, <Download file="costs.csv" />. To repeat it:{' '}
+        , commit {results.commit}, on a machine that had other work too. 60 frames a second, gravity 2,600
+        px/s², nothing asleep. Raw data: <Download file="results.json" />, <Download file="errors.csv" />,{' '}
+        <Download file="costs.csv" />. To repeat it:{' '}
         <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">npm run bench</code>
       </p>
 
@@ -197,8 +198,9 @@ export default function Benchmarks() {
             two passes of impulses, 120 steps a second. It is written afresh for this comparison.
           </li>
           <li>
-            Costs are medians over rounds in which engines take turns, each in a process of its own.
-            Differences under five per cent count as none.
+            Engines take turns, each in a process of its own; the same run is played three times and the
+            median taken frame by frame. Differences under five per cent count as none. Marks that are missing
+            took too long.
           </li>
         </ul>
       </Section>
