@@ -88,15 +88,20 @@ test('only chips that move have a layer of their own', async ({ stage, page }) =
   ).toBe('content')
 })
 
-test('with part of the pile awake only those chips are drawn', async ({ stage, page }) => {
-  await stage.settled('pile', { chips: 12 })
+test('while one chip is lifted, those that do not touch it sleep on and are not drawn', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
   const chip = stage.chips.nth(0)
-  const { x, y } = await stage.centre(chip)
-  await page.mouse.move(x, y)
-  await page.mouse.down()
+  const styles = () =>
+    stage.chips.evaluateAll((all) => all.slice(1).map((other) => other.getAttribute('style')))
+  const before = await styles()
+  await stage.drag(chip, 0, -120)
   await expect(chip).toHaveAttribute('data-state', 'held')
-  const asleep = (await stage.states()).filter((state) => state === 'resting').length
-  expect(asleep).toBeGreaterThan(5)
+  await stage.hangs(chip)
+  expect(await stage.states()).toEqual(['held', 'resting', 'resting'])
+  expect(await styles()).toEqual(before)
   await page.mouse.up()
 })
 
