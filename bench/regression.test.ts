@@ -1,0 +1,31 @@
+import { execFileSync } from 'node:child_process'
+import { beforeAll, describe, expect, it } from 'vitest'
+import accepted from './bounds.json'
+import { type Bounds, gated } from './gate'
+import { bundle, root } from './run-job'
+
+const bounds: Bounds = accepted
+const advice = 'if this is meant: npx tsx bench/accept.ts, and commit the difference'
+
+let measured: Bounds
+
+describe('the solver', () => {
+  // In a process of its own: what a test runner does to modules makes the solver ten times slower.
+  beforeAll(async () => {
+    const options = { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 24 } as const
+    measured = JSON.parse(execFileSync(process.execPath, [await bundle('gate-child')], options))
+  }, 300_000)
+
+  for (const { name, title } of gated) {
+    it(`is no worse than it was, for no more work: ${title}`, () => {
+      const bound = bounds[name]
+      expect(bound, `${name} has no bounds yet; ${advice}`).toBeDefined()
+      const { errors, work } = measured[name]
+      for (const [key, value] of Object.entries(errors)) {
+        const most = bound.errors[key] ?? Number.POSITIVE_INFINITY
+        expect(value ?? Number.POSITIVE_INFINITY, `${name}, ${key}; ${advice}`).toBeLessThanOrEqual(most)
+      }
+      expect(work, `work of ${name}; ${advice}`).toEqual(bound.work)
+    })
+  }
+})
