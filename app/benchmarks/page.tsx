@@ -199,8 +199,8 @@ export default function Benchmarks() {
           </li>
           <li>
             Engines take turns, each in a process of its own; the same run is played three times and the
-            median taken frame by frame. Differences under five per cent count as none. Marks that are missing
-            took too long.
+            median taken frame by frame. Differences under five per cent count as none. By number of chips,
+            the lower of two rounds is shown. Marks that are missing took too long.
           </li>
         </ul>
       </Section>
