@@ -3,6 +3,7 @@ import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
 import { frontier, ours, points, type Results, type Verdict, verdicts } from '@/bench/report'
 import data from '@/bench/results/results.json'
+import { InBrowser } from './browser'
 import { engineOrder, figure, looks, settingTitle } from './engines'
 import { Marks, Plot, type PlotLine } from './plot'
 import { PlotTable } from './plot-table'
@@ -165,6 +166,10 @@ export default function Benchmarks() {
         <div className="mt-6">
           <Weights />
         </div>
+      </Section>
+
+      <Section id="browser" title="In a browser">
+        <InBrowser download={<Download file="browser.json" />} />
       </Section>
 
       <Section id="device" title="On your device">

@@ -1,7 +1,7 @@
 // The method the component's first design described: a chip collides as up to three circles along its length, two
 // passes of impulses at 1/120 s, and 80 % of any overlap beyond 0.5 px taken out of the positions, half by each side.
-import { frame, numbersPerChip } from '../../scenes/scene'
-import type { Engine } from '../engine'
+import { type Chip, frame, numbersPerChip, type Scene } from '../../scenes/scene'
+import type { Engine, Setting } from '../engine'
 
 const allowed = 0.5
 const share = 0.8
@@ -21,7 +21,7 @@ type Body = {
   circles: number[]
 }
 
-export const circleChains: Engine = {
+export const circleChains = {
   name: 'circle-chains',
   packages: [],
   settings: [
@@ -32,10 +32,10 @@ export const circleChains: Engine = {
   ],
   accurate: { steps: 8, passes: 8 },
   async load() {},
-  start(scene, chips, { steps, passes }) {
+  start(scene: Pick<Scene, 'width' | 'height' | 'conditions'>, chips: Chip[], { steps, passes }: Setting) {
     const { gravity, friction, bounce, bounceThreshold, linearDamping, angularDamping } = scene.conditions
     const h = frame / steps
-    const bodies: Body[] = chips.map((chip) => {
+    const bodyOf = (chip: Chip): Body => {
       const radius = Math.min(chip.width, chip.height) / 2
       const half = chip.width > chip.height ? chip.width / 2 - radius : 0
       const mass = chip.width * chip.height * (chip.density ?? 1)
@@ -52,7 +52,8 @@ export const circleChains: Engine = {
         reach: half + radius,
         circles: half > 0 ? [-half, 0, half] : [0],
       }
-    })
+    }
+    const bodies = chips.map(bodyOf)
 
     /** Pushes a off b (or off the stage when there is no b) at a point, along the normal that points at a. */
     function collide(
@@ -137,6 +138,7 @@ export const circleChains: Engine = {
     }
 
     return {
+      add: (chip: Chip) => bodies.push(bodyOf(chip)),
       step() {
         for (let s = 0; s < steps; s++) {
           for (const a of bodies) {
@@ -165,4 +167,4 @@ export const circleChains: Engine = {
       free() {},
     }
   },
-}
+} satisfies Engine

@@ -1,0 +1,182 @@
+import { existsSync, readFileSync } from 'node:fs'
+import { join } from 'node:path'
+import type { ReactNode } from 'react'
+import type { BrowserResults, Drop, FrameCost, StageName, StageResult } from '@/bench/browser/results'
+import { figure, looks } from './engines'
+import { Table } from './table'
+
+const file = join(process.cwd(), 'bench/results/browser.json')
+
+/** What `npm run bench:browser` has measured last, if it has ever run. */
+export const browserResults: BrowserResults | undefined = existsSync(file)
+  ? JSON.parse(readFileSync(file, 'utf8'))
+  : undefined
+
+const ms = (value: number) => (value < 0.01 ? '0' : value < 10 ? value.toFixed(2) : value.toFixed(1))
+const three = ({ median, p99, worst }: FrameCost) => `${ms(median)} / ${ms(p99)} / ${ms(worst)}`
+const kB = (bytes: number) => `${figure(bytes / 1000)} kB`
+
+type Row = {
+  name: ReactNode
+  goal?: string
+  met?: (result: StageResult) => boolean
+  value: (result: StageResult) => ReactNode
+}
+
+const dropOf = ({ drops }: StageResult, chips: number, throttle: number): Drop | undefined =>
+  drops.find((drop) => drop.chips === chips && drop.throttle === throttle)
+
+function scriptRow(chips: number, throttle: number, goal?: string, met?: (drop: Drop) => boolean): Row {
+  const named = throttle > 1 ? `, processor slowed ${throttle} times` : ''
+  return {
+    name: `Script a frame, ${chips} chips${named}: median / 99 % / worst, ms`,
+    goal,
+    met: met && ((result) => met(dropOf(result, chips, throttle)!)),
+    value: (result) => three(dropOf(result, chips, throttle)!.script),
+  }
+}
+
+const most = 1000
+
+const rows: Row[] = [
+  scriptRow(
+    60,
+    4,
+    '0.6 / 2 / 8',
+    ({ script }) => script.median <= 0.6 && script.p99 <= 2 && script.worst <= 8,
+  ),
+  scriptRow(60, 1),
+  scriptRow(250, 1, '0.8 median', ({ script }) => script.median <= 0.8),
+  scriptRow(most, 1),
+  {
+    name: `Frames a second, ${most} chips`,
+    goal: '60',
+    met: (result) => dropOf(result, most, 1)!.rate > 58,
+    value: (result) => dropOf(result, most, 1)!.rate.toFixed(0),
+  },
+  {
+    name: `The browser’s own part of a frame, ${most} chips: style and layout / paint / compositing, ms`,
+    value: (result) => {
+      const { style, paint, raster, compositor } = dropOf(result, most, 1)!
+      return `${ms(style.median)} / ${ms(paint.median)} / ${ms(raster + compositor)}`
+    },
+  },
+  {
+    name: 'From in view to the first frame, 60 chips, ms; slowed 4 times',
+    goal: '5',
+    met: ({ firstDrop }) => firstDrop[1] <= 5,
+    value: ({ firstDrop }) => `${ms(firstDrop[1])}; ${ms(firstDrop[4])}`,
+  },
+  {
+    name: 'Layouts to bring 60 chips to life',
+    goal: '1',
+    met: ({ mountLayouts }) => mountLayouts <= 1,
+    value: ({ mountLayouts }) => mountLayouts,
+  },
+  {
+    name: 'Layouts and styles forced by script during all drops',
+    goal: '0',
+    met: ({ drops }) => drops.every(({ forced }) => forced === 0),
+    value: ({ drops }) => drops.reduce((sum, { forced }) => sum + forced, 0),
+  },
+  {
+    name: 'Style writes a frame, 60 chips falling',
+    value: ({ writes }) => figure(writes.perFrame),
+  },
+  {
+    name: 'Frames and style writes in the second after the drop',
+    goal: '0; 0',
+    met: ({ writes }) => writes.framesAfter + writes.after === 0,
+    value: ({ writes }) => `${writes.framesAfter}; ${writes.after}`,
+  },
+  {
+    name: 'Layers of 60 chips: most while they fall; afterwards',
+    goal: '60; 0',
+    met: ({ layers }) => layers.most <= 60 && layers.after === 0,
+    value: ({ layers }) => `${layers.most}; ${layers.after}`,
+  },
+  {
+    name: 'Slowest interaction while 60 chips settle, ms; slowed 4 times',
+    goal: 'under 50',
+    met: ({ interaction }) => interaction[1] < 50,
+    value: ({ interaction }) =>
+      [interaction[1], interaction[4]].map((value) => (value <= 16 ? 'at most 16' : value)).join('; '),
+  },
+  {
+    name: 'Cumulative layout shift from the server’s markup to rest',
+    goal: '0',
+    met: ({ shift }) => shift === 0,
+    value: ({ shift }) => figure(shift),
+  },
+  {
+    name: 'Heap made and dropped a frame, 60 chips at work',
+    value: ({ heap }) => kB(heap.perFrame),
+  },
+  {
+    name: `What the heap keeps after 30 s of that`,
+    value: ({ heap }) => kB(Math.max(0, heap.growth)),
+  },
+]
+
+const own: StageName = 'gravity-stack'
+
+export function InBrowser({ download }: { download: ReactNode }) {
+  if (!browserResults)
+    return (
+      <p className="max-w-3xl text-muted-foreground leading-relaxed">
+        Nothing is measured yet. This measures it: <Code>npm run bench:browser</Code>
+      </p>
+    )
+  const { date, commit, machine, stages, versions } = browserResults
+  const names = Object.keys(stages) as StageName[]
+  return (
+    <>
+      <p className="max-w-3xl text-muted-foreground leading-relaxed">
+        The whole stage in a page, from the server’s markup to rest: 60 chips at the default 150 ms, 250 at 20
+        ms, 1,000 at 5 ms between releases. Beside it a stage of this component’s first design, its method
+        written afresh with a loop that never ends, and one of Matter as its users build it: Engine, Runner, a
+        mouse constraint, and DOM elements whose transforms are written in each frame. Times come from the
+        browser’s trace of the main thread, from the first frame of the drop until all lie still, or three
+        seconds after the last release where nothing ever does. A star marks a goal that is missed.
+      </p>
+      <div className="mt-6">
+        <Table
+          label="In a browser"
+          head={[
+            'Measure',
+            'Goal',
+            ...names.map((name) => [looks[name].title, versions[name]].filter(Boolean).join(' ')),
+          ]}
+          rows={rows.map(({ name, goal, met, value }) => [
+            name,
+            goal ?? '',
+            ...names.map((stage) => (
+              <span key={stage} className="whitespace-nowrap">
+                {value(stages[stage])}
+                {stage === own && met && !met(stages[stage]) && (
+                  <strong className="text-(--gravity-stack)">
+                    <span aria-hidden="true"> ★</span>
+                    <span className="sr-only"> goal missed</span>
+                  </strong>
+                )}
+              </span>
+            )),
+          ])}
+        />
+      </div>
+      <p className="mt-4 max-w-3xl text-muted-foreground text-sm leading-relaxed">
+        Measured in {machine.browser} on {machine.cpu}, {machine.cores} cores, {machine.memoryGB} GB,{' '}
+        {machine.system}, on{' '}
+        <time dateTime={date}>
+          {new Date(date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
+        </time>
+        , commit {commit}, without a graphics card: compositing is software. Raw data: {download}. To repeat
+        it: <Code>npm run bench:browser</Code>
+      </p>
+    </>
+  )
+}
+
+function Code({ children }: { children: ReactNode }) {
+  return <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">{children}</code>
+}

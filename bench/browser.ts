@@ -1,0 +1,307 @@
+// What the stage costs in a real browser, beside two others of the same chips: one of the method of the component's first
+// design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
+//   npm run bench:browser                            writes bench/results/browser.json; under four minutes
+//   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
+import { execFileSync } from 'node:child_process'
+import { readFileSync, writeFileSync } from 'node:fs'
+import { arch, cpus, release, totalmem, type } from 'node:os'
+import { join } from 'node:path'
+import { parseArgs } from 'node:util'
+import { type Browser, type BrowserContext, type CDPSession, chromium, type Page } from '@playwright/test'
+import { pourStage } from '../scenes/piles'
+import { findBrowser } from '../scripts/browser.mjs'
+import type {} from './browser/observe'
+import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
+import { serve, stageNames } from './browser/serve'
+import { categories, Trace } from './browser/trace'
+import { root } from './run-job'
+
+const { values: options } = parseArgs({ options: { stage: { type: 'string' } } })
+
+/** Each drop that is timed: chips, ms between releases, times slowed down. */
+const drops = [
+  [60, 150, 4],
+  [60, 150, 1],
+  [250, 20, 1],
+  [1000, 5, 1],
+] as const
+/** s that a stage which never rests is watched after its last release. */
+const watched = 3
+/** s of the heap's samples. */
+const heapSeconds = 30
+const slow = 4
+
+const found = findBrowser()
+if (!found) throw new Error('There is no Chromium here. Run: node scripts/browser.mjs')
+const server = await serve()
+const launch = () => chromium.launch({ executablePath: found.path })
+
+type Visit = { stage: StageName; chips: number; stagger: number; throttle?: number; above?: number }
+
+const log = (text: string) => console.log(`${(performance.now() / 1000).toFixed(0).padStart(4)} s  ${text}`)
+const wait = (seconds: number) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds))
+
+/** A fresh page as the server sends it, its script not yet loaded. */
+async function visit<T>(
+  browser: Browser,
+  { stage, chips, stagger, throttle = 1, above = 0 }: Visit,
+  extra: { counting?: boolean; restless?: boolean },
+  work: (page: Page, session: CDPSession, start: () => Promise<unknown>) => Promise<T>,
+): Promise<T> {
+  let context: BrowserContext | undefined
+  try {
+    context = await browser.newContext({ viewport: { width: 2700, height: 1500 } })
+    const page = await context.newPage()
+    const failed = new Promise<never>((_, reject) => page.on('pageerror', reject))
+    failed.catch(() => {})
+    const { width, height } = pourStage(chips)
+    const { counting = false, restless = false } = extra
+    const query = { chips, stagger, width, height, above, counting, restless }
+    await page.goto(`${server.url}/${stage}?${new URLSearchParams(query as never)}`)
+    const session = await context.newCDPSession(page)
+    await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
+    const start = () => page.addScriptTag({ type: 'module', url: `${server.url}/${stage}/client.js` })
+    return await Promise.race([work(page, session, start), failed])
+  } finally {
+    await context?.close()
+  }
+}
+
+/** Until the page has set this mark. */
+const marked = (page: Page, name: string, seconds = 60) =>
+  page.waitForFunction((mark) => performance.getEntriesByName(mark).length > 0, name, {
+    timeout: 1000 * seconds,
+    polling: 100,
+  })
+
+/** Until the stage rests; one that never does is left when it would long have. */
+async function dropped(page: Page, { stage, chips, stagger }: Visit) {
+  await marked(page, 'drawn')
+  if (stage === 'gravity-stack') await marked(page, 'rest')
+  else await wait((chips * stagger) / 1000 + watched)
+}
+
+async function timeDrop(browser: Browser, stage: StageName, [chips, stagger, throttle]: readonly number[]) {
+  const conditions = { stage, chips, stagger, throttle }
+  return visit(browser, conditions, {}, async (page, _, start): Promise<Drop> => {
+    await browser.startTracing(page, { categories })
+    await start()
+    await dropped(page, conditions)
+    const trace = new Trace(await browser.stopTracing())
+    const from = trace.mark('drawn') ?? Number.NaN
+    const to = trace.mark('rest') ?? from + chips * stagger * 1000 + watched * 1e6
+    return { chips, stagger, throttle, ...trace.frames(from, to) }
+  })
+}
+
+/** From the view of a stage, hydrated long since, to its first drawn frame. */
+async function timeFirstDrop(browser: Browser, stage: StageName, throttle: number) {
+  const conditions = { stage, chips: 60, stagger: 150, throttle, above: 3000 }
+  return visit(browser, conditions, {}, async (page, _, start) => {
+    await start()
+    await page.waitForLoadState('networkidle')
+    await wait(0.5)
+    await browser.startTracing(page, { categories })
+    await page.evaluate(() => scrollTo(0, 3000))
+    await marked(page, 'drawn')
+    const trace = new Trace(await browser.stopTracing())
+    return trace.work(trace.mark('seen') ?? Number.NaN, trace.mark('drawn') ?? Number.NaN)
+  })
+}
+
+async function counter(session: CDPSession, name: string) {
+  const { metrics } = await session.send('Performance.getMetrics')
+  return metrics.find((metric) => metric.name === name)?.value ?? Number.NaN
+}
+
+/** Layouts, shifts, layers, writes: from the server's markup until a second after the drop. */
+async function count(browser: Browser, stage: StageName) {
+  const conditions = { stage, chips: 60, stagger: 50 }
+  return visit(browser, conditions, { counting: true }, async (page, session, start) => {
+    await session.send('Performance.enable')
+    await session.send('DOM.enable')
+    const { root: document } = await session.send('DOM.getDocument')
+    const chips = await session.send('DOM.querySelectorAll', {
+      nodeId: document.nodeId,
+      selector: '[data-slot=gravity-stack-chip]',
+    })
+    const nodes = new Set<number | undefined>()
+    for (const nodeId of chips.nodeIds) {
+      const { node } = await session.send('DOM.describeNode', { nodeId })
+      nodes.add(node.backendNodeId)
+    }
+    let layers = 0
+    let most = 0
+    session.on('LayerTree.layerTreeDidChange', (event) => {
+      layers = (event.layers ?? []).filter(({ backendNodeId }) => nodes.has(backendNodeId)).length
+      most = Math.max(most, layers)
+    })
+    await session.send('LayerTree.enable')
+    const before = await counter(session, 'LayoutCount')
+    await start()
+    await marked(page, 'drawn')
+    const mountLayouts = (await counter(session, 'LayoutCount')) - before
+    await dropped(page, conditions)
+    const now = () => page.evaluate(() => ({ ...window.observed }))
+    const end = await now()
+    await wait(0.3)
+    const still = await now()
+    await wait(1)
+    const after = await now()
+    return {
+      mountLayouts,
+      shift: after.shift,
+      layers: { most, after: layers },
+      writes: {
+        perFrame: end.writes / Math.max(1, end.frames),
+        after: after.writes - still.writes,
+        framesAfter: after.frames - still.frames,
+      },
+    }
+  })
+}
+
+/** ms, the slowest of twelve clicks and keys while the pile settles. */
+async function interact(browser: Browser, stage: StageName, throttle: number) {
+  const conditions = { stage, chips: 60, stagger: 20, throttle }
+  return visit(browser, conditions, {}, async (page, _, start) => {
+    await start()
+    await marked(page, 'drawn')
+    for (let i = 0; i < 12; i++) {
+      await wait(0.2)
+      if (i % 3 === 2) await page.keyboard.press('a')
+      else await page.mouse.click(40 + ((i * 0.618) % 1) * 560, 200 + (i % 4) * 35)
+    }
+    await wait(0.5)
+    const { interactions } = await page.evaluate(() => window.observed)
+    return Math.max(16, ...Object.values(interactions))
+  })
+}
+
+async function weighHeap(stage: StageName) {
+  const browser = await launch()
+  const conditions = { stage, chips: 60, stagger: 20 }
+  try {
+    return await visit(browser, conditions, { restless: true }, async (page, session, start) => {
+      await start()
+      await marked(page, 'drawn')
+      // All released, and the second after.
+      await wait(3)
+      await session.send('HeapProfiler.enable')
+      const frames = () => page.evaluate(() => window.observed.frames)
+      const used = async () => (await session.send('Runtime.getHeapUsage')).usedSize
+      await page.evaluate(() => window.observed.countFrames())
+      const before = await frames()
+      await session.send('HeapProfiler.collectGarbage')
+      const least = await used()
+      await session.send('HeapProfiler.startSampling', {
+        samplingInterval: 1024,
+        includeObjectsCollectedByMajorGC: true,
+        includeObjectsCollectedByMinorGC: true,
+      })
+      const samples: number[] = []
+      for (let second = 0; second < heapSeconds; second++) {
+        await wait(1)
+        samples.push(await used())
+      }
+      const { profile } = await session.send('HeapProfiler.stopSampling')
+      const passed = (await frames()) - before
+      await session.send('HeapProfiler.collectGarbage')
+      type Node = (typeof profile)['head']
+      const bytes = (node: Node): number =>
+        node.selfSize + node.children.reduce((sum, child) => sum + bytes(child), 0)
+      return { perFrame: bytes(profile.head) / passed, growth: (await used()) - least, samples }
+    })
+  } finally {
+    await browser.close()
+  }
+}
+
+/** Once more if it fails: a browser may stumble, and nobody may be here to see. */
+async function attempt<T>(name: string, work: () => Promise<T>): Promise<T> {
+  log(name)
+  try {
+    return await work()
+  } catch (error) {
+    log(`${name}: once more, after ${error}`)
+    return await work()
+  }
+}
+
+/** Each kind of measurement goes round the stages, so that none has the machine's better minute. */
+async function measure(stages: StageName[]) {
+  const results = Object.fromEntries(
+    stages.map((stage) => [
+      stage,
+      { drops: [] as Drop[], firstDrop: {}, interaction: {} } as unknown as StageResult,
+    ]),
+  )
+  const browser = await launch()
+  const each = async (name: string, work: (stage: StageName) => Promise<unknown>) => {
+    for (const stage of stages) await attempt(`${stage}: ${name}`, () => work(stage))
+  }
+  for (const drop of drops) {
+    const [chips, , throttle] = drop
+    await each(`${chips} chips, ${throttle}×`, async (stage) => {
+      results[stage].drops.push(await timeDrop(browser, stage, drop))
+    })
+  }
+  for (const throttle of [1, slow]) {
+    await each(`first drop, ${throttle}×`, async (stage) => {
+      results[stage].firstDrop[throttle] = await timeFirstDrop(browser, stage, throttle)
+    })
+    await each(`interactions, ${throttle}×`, async (stage) => {
+      results[stage].interaction[throttle] = await interact(browser, stage, throttle)
+    })
+  }
+  await each('counts', async (stage) => Object.assign(results[stage], await count(browser, stage)))
+  const version = browser.version()
+  await browser.close()
+  // Bytes are bytes however busy the machine is: side by side.
+  await Promise.all(
+    stages.map(async (stage) => {
+      results[stage].heap = await attempt(`${stage}: heap`, () => weighHeap(stage))
+    }),
+  )
+  return { results, version }
+}
+
+const stages = options.stage ? stageNames.filter((stage) => stage === options.stage) : stageNames
+const { results, version } = await measure(stages)
+server.close()
+
+const ms = (value: number) => value.toFixed(2).padStart(8)
+for (const stage of stages) {
+  const { drops: all, heap, ...rest } = results[stage]
+  console.log(`\n${stage}`)
+  for (const { chips, throttle, rate, script, style, paint, raster, compositor, forced } of all) {
+    console.log(
+      `${String(chips).padStart(5)} chips ${throttle}×${rate.toFixed(0).padStart(4)} frames/s  script${ms(script.median)}${ms(script.p99)}${ms(script.worst)}  style${ms(style.median)}  paint${ms(paint.median)}  raster${ms(raster)}  compositor${ms(compositor)}  forced ${forced}`,
+    )
+  }
+  console.log(JSON.stringify({ ...rest, heap: { ...heap, samples: heap.samples.length } }))
+}
+
+if (!options.stage) {
+  const written: BrowserResults = {
+    date: new Date().toISOString(),
+    commit: execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim(),
+    machine: {
+      cpu: cpus()[0].model.trim(),
+      cores: cpus().length,
+      memoryGB: Math.round(totalmem() / 2 ** 30),
+      system: `${type()} ${release().split('-')[0]} ${arch()}`,
+      node: process.version,
+      browser: `Chromium ${version}`,
+    },
+    versions: {
+      'matter-js': JSON.parse(readFileSync(join(root, 'node_modules/matter-js/package.json'), 'utf8'))
+        .version,
+    },
+    stages: results as BrowserResults['stages'],
+  }
+  const file = join(root, 'bench/results/browser.json')
+  writeFileSync(file, `${JSON.stringify(written, null, 1)}\n`)
+  console.log(`\nwritten: ${file}`)
+}
+process.exit(0)

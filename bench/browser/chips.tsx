@@ -1,0 +1,30 @@
+const WORDS =
+  'design tokens motion springs layout colour type grid focus contrast states icons voice scale rhythm depth'.split(
+    ' ',
+  )
+const TINTS = ['bg-amber-200', 'bg-emerald-200', 'bg-sky-200', 'bg-rose-200', 'bg-violet-200']
+
+/** The same pills for every stage. */
+export const pills = (count: number) =>
+  Array.from({ length: count }, (_, i) => i).map((i) => ({
+    key: i,
+    pill: (
+      <span
+        key={i}
+        className={`block rounded-full px-3 py-1 text-neutral-900 text-xs ${TINTS[i % TINTS.length]}`}
+      >
+        {WORDS[i % WORDS.length]}
+      </span>
+    ),
+  }))
+
+export interface StageProps {
+  chips: number
+  /** ms between releases. */
+  stagger: number
+  /** px */
+  width: number
+  height: number
+  /** Never lets the pile rest. */
+  restless: boolean
+}

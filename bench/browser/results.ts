@@ -1,0 +1,62 @@
+/** What `npm run bench:browser` writes and the page of the benchmarks shows. */
+export type StageName = 'gravity-stack' | 'circle-chains' | 'matter-js'
+
+/** ms a frame on the main thread. */
+export type FrameCost = { median: number; p99: number; worst: number }
+
+/** A drop from its first frame until all lie still, or as long as given for a stage that never does. */
+export type Drop = {
+  chips: number
+  /** ms between releases. */
+  stagger: number
+  /** Times that the processor was slowed down. */
+  throttle: number
+  seconds: number
+  frames: number
+  /** Frames a second. */
+  rate: number
+  script: FrameCost
+  /** Style and layout, then pre-paint, paint and handing over to the compositor. */
+  style: FrameCost
+  paint: FrameCost
+  /** ms a frame of all raster threads together, and of putting the layers together on the screen. */
+  raster: number
+  compositor: number
+  /** Layouts or recalculated styles inside script. */
+  forced: number
+  /** ms of the longest collection of garbage, and how many there were. */
+  garbage: { longest: number; count: number }
+}
+
+export type StageResult = {
+  drops: Drop[]
+  /** ms of script, style and layout between the view of 60 chips and their first frame, by throttle. */
+  firstDrop: Record<string, number>
+  /** Layouts from the server's markup to the first frame, 60 chips. */
+  mountLayouts: number
+  /** Sum of layout shifts from load to the last frame. */
+  shift: number
+  /** Most layers of chips during the drop, and those left afterwards. */
+  layers: { most: number; after: number }
+  /** Writes to chips' styles a frame while they fall; frames and writes in the second after the drop. */
+  writes: { perFrame: number; after: number; framesAfter: number }
+  /** ms, the slowest interaction while 60 chips settle, by throttle; 16 is the least a browser reports. */
+  interaction: Record<string, number>
+  /** 30 s of 60 chips at work: bytes allocated a frame, growth of what is kept, and the heap second by second, bytes. */
+  heap: { perFrame: number; growth: number; samples: number[] }
+}
+
+export type BrowserResults = {
+  date: string
+  commit: string
+  machine: {
+    cpu: string
+    cores: number
+    memoryGB: number
+    system: string
+    node: string
+    browser: string
+  }
+  versions: Partial<Record<StageName, string>>
+  stages: Record<StageName, StageResult>
+}

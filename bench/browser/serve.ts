@@ -1,0 +1,98 @@
+// Serves the measured pages: one stage each, rendered on the server, its script as a production build of an app would have it.
+import { createServer } from 'node:http'
+import { createRequire } from 'node:module'
+import type { AddressInfo } from 'node:net'
+import { join } from 'node:path'
+import tailwind from '@tailwindcss/postcss'
+import { type BuildOptions, build } from 'esbuild'
+import postcss from 'postcss'
+import { root } from '../run-job'
+import type { StageName } from './results'
+
+const here = join(root, 'bench/browser')
+export const stageNames: StageName[] = ['gravity-stack', 'circle-chains', 'matter-js']
+
+const common: BuildOptions = {
+  bundle: true,
+  write: false,
+  jsx: 'automatic',
+  minify: true,
+  define: { 'process.env.NODE_ENV': '"production"' },
+  logLevel: 'warning',
+}
+
+async function bundle(stage: StageName) {
+  const stdin = (contents: string) => ({
+    contents: `import Stage from './${stage}'\n${contents}`,
+    resolveDir: here,
+    loader: 'tsx' as const,
+  })
+  const [client, server] = await Promise.all([
+    build({
+      ...common,
+      format: 'esm',
+      stdin: stdin(`
+        import { hydrateRoot } from 'react-dom/client'
+        const props = JSON.parse(document.getElementById('props').textContent)
+        hydrateRoot(document.getElementById('root'), <Stage {...props} />)
+      `),
+    }),
+    build({
+      ...common,
+      format: 'cjs',
+      platform: 'node',
+      stdin: stdin(`
+        import { renderToString } from 'react-dom/server'
+        export const render = (props) => renderToString(<Stage {...props} />)
+      `),
+    }),
+  ])
+  const module = { exports: {} as { render: (props: object) => string } }
+  const require = createRequire(import.meta.url)
+  new Function('module', 'exports', 'require', server.outputFiles![0].text)(module, module.exports, require)
+  return { script: client.outputFiles![0].text, render: module.exports.render }
+}
+
+const css = `@import "tailwindcss" source(none);
+@source "./";
+@source "../../components/ui/gravity-stack.tsx";
+body { font-family: Arial, sans-serif; }`
+
+async function observer() {
+  const entryPoints = [join(here, 'observe.ts')]
+  const { outputFiles } = await build({ ...common, entryPoints, format: 'iife', globalName: 'observer' })
+  return outputFiles![0].text
+}
+
+/** Starts the server; `close` ends it. */
+export async function serve() {
+  const bundles = Object.fromEntries(
+    await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
+  )
+  const observing = await observer()
+  const styles = await postcss([tailwind()]).process(css, { from: join(here, 'page.css') })
+  const server = createServer((request, response) => {
+    const { pathname, searchParams } = new URL(request.url ?? '/', 'http://localhost')
+    const send = (type: string, text: string) => {
+      response.writeHead(200, { 'content-type': `${type}; charset=utf-8` }).end(text)
+    }
+    const [, name, file] = pathname.split('/')
+    const stage = bundles[name]
+    if (name === 'page.css') return send('text/css', styles.css)
+    if (!stage) return response.writeHead(name === 'favicon.ico' ? 200 : 404).end()
+    if (file === 'client.js') return send('text/javascript', stage.script)
+    const { above, counting, ...values } = Object.fromEntries(searchParams)
+    const props = Object.fromEntries(Object.entries(values).map(([key, value]) => [key, JSON.parse(value)]))
+    return send(
+      'text/html',
+      `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>${name}</title>
+<meta name="viewport" content="width=device-width"><link rel="stylesheet" href="/page.css">
+<script>${observing}observer.observe(${counting === 'true'})</script></head>
+<body><div style="height:${Number(above)}px"></div><div id="root">${stage.render(props)}</div>
+<script id="props" type="application/json">${JSON.stringify(props)}</script></body></html>`,
+    )
+  })
+  await new Promise<void>((resolve) => server.listen(0, resolve))
+  const { port } = server.address() as AddressInfo
+  return { url: `http://localhost:${port}`, close: () => server.close() }
+}
