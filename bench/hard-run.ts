@@ -1,5 +1,13 @@
 import { createWorld } from '../registry/gravity-stack/world'
-import { chipDistance, type Pose, type Stage, stageDistance, worstOverlap } from '../scenes/exact-distance'
+import {
+  chipDistance,
+  halfExtent,
+  type Pose,
+  type Shape,
+  type Stage,
+  stageDistance,
+  worstOverlap,
+} from '../scenes/exact-distance'
 import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
 import { type Chip, frame } from '../scenes/scene'
@@ -12,6 +20,16 @@ export type Watch = (frame: number, states: State[], alive: boolean[], stage: St
 
 /** Plays a hard scene with our solver, asleep when it may be, and reads off its figures. */
 export function playHardScene(scene: HardScene, seed: number, watch?: Watch, substeps?: number): HardFigures {
+  return playHard(scene, seed, watch, substeps).figures
+}
+
+/** The same, with the digest of the last frame: two engines that agree on it agree on every bit. */
+export function playHard(
+  scene: HardScene,
+  seed: number,
+  watch?: Watch,
+  substeps?: number,
+): { figures: HardFigures; hash: string } {
   const chips = scene.build(seed)
   const world = createWorld({
     width: scene.width,
@@ -31,7 +49,8 @@ export function playHardScene(scene: HardScene, seed: number, watch?: Watch, sub
     },
     resize(width, height) {
       world.resize(width, height)
-      Object.assign(stage, { width, height })
+      // A stage of no size counts as one of 1 px.
+      Object.assign(stage, { width: Math.max(1, width), height: Math.max(1, height) })
     },
     hold(chip, to) {
       const held = grabs.get(chip)
@@ -90,13 +109,13 @@ export function playHardScene(scene: HardScene, seed: number, watch?: Watch, sub
       const { x, y, angle, vx, vy, spin } = now[i]
       if (!Number.isFinite(x + y + angle + vx + vy + spin)) {
         figures.lost++
-        return figures
+        return { figures, hash: world.hash() }
       }
       figures.speed = Math.max(figures.speed, Math.hypot(vx, vy))
     }
     if (watched.has('outside')) {
-      const alone = posesOf(now).map((pose, i) => worstOverlap([living()[i]], [pose], stage))
-      figures.outside = Math.max(figures.outside, ...alone)
+      for (let i = 0; i < chips.length; i++)
+        if (alive[i]) figures.outside = Math.max(figures.outside, outsideOf(chips[i], now[i], stage))
     }
     if (watched.has('overlap during') && k > 1) {
       figures['overlap during'] = Math.max(
@@ -122,7 +141,14 @@ export function playHardScene(scene: HardScene, seed: number, watch?: Watch, sub
   }
   figures.hanging = hanging(living(), posesOf(before), stage)
   figures.drift = driftOf(chips, before)
-  return figures
+  return { figures, hash: world.hash() }
+}
+
+/** px that a chip reaches out of the stage. The floor holds always, the walls what they have room for. */
+export function outsideOf(shape: Shape, pose: Pose, stage: Stage) {
+  const { floor, left, right } = stageDistance(shape, pose, stage)
+  const fits = 2 * halfExtent(shape, pose.angle)[0] <= stage.width
+  return Math.max(0, -floor, fits ? Math.max(-left, -right) : 0)
 }
 
 function driftOf(chips: Chip[], states: Pose[]) {

@@ -1,0 +1,44 @@
+import { execFileSync } from 'node:child_process'
+import { beforeAll, describe, expect, it } from 'vitest'
+import { type Check, checks, foundScenes } from '../scenes/fuzzed'
+import known from './fuzz-misses.json'
+import type { Misses } from './fuzz-search'
+import { bundle, root } from './run-job'
+
+const advice = 'npm run fuzz shows and keeps the scene; what is mended or known: npm run fuzz -- --accept'
+
+let result: { misses: Partial<Record<Check, Misses>>; failing: string[] }
+
+// In a process of its own: what a test runner does to modules makes the solver ten times slower.
+beforeAll(async () => {
+  const options = { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 24 } as const
+  result = JSON.parse(execFileSync(process.execPath, [await bundle('fuzz-child')], options))
+}, 300_000)
+
+describe('in 2,000 random scenes', () => {
+  const allowed: Partial<Record<Check, number>> = known
+  for (const [check, says] of Object.entries(checks) as [Check, string][]) {
+    const but = allowed[check] ? `, but for ${allowed[check]} known` : ''
+    it(`${says}${but}`, () => {
+      const { count, worst } = result.misses[check] ?? { count: 0, worst: 0 }
+      expect(count, `worst ${worst}; ${advice}`).toBeLessThanOrEqual(allowed[check] ?? 0)
+    })
+  }
+})
+
+describe('a scene that once went wrong', () => {
+  for (const { name, check, open } of foundScenes) {
+    if (open) continue
+    it(`holds: ${name}, ${checks[check]}`, () => {
+      expect(result.failing).not.toContain(name)
+    })
+  }
+
+  it('is open only while it goes wrong', () => {
+    const open = foundScenes.filter((found) => found.open).map(({ name }) => name)
+    expect(
+      open.filter((name) => !result.failing.includes(name)),
+      advice,
+    ).toEqual([])
+  })
+})
