@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import { createInterface } from 'node:readline'
 import { root } from '../../scripts/run.mjs'
 import { siteUrl } from '../../site.config.mjs'
-import { components, expect, item, type Project, test } from './project'
+import { answered, components, expect, item, type Project, test } from './project'
 
 const source = () => readFile(join(root, 'components/ui/gravity-stack.tsx'), 'utf8')
 const file = 'components/ui/gravity-stack.tsx'
@@ -131,7 +131,7 @@ test('the repository itself is a registry, by owner, name and item', async ({ ma
   await project.run(
     join(root, 'node_modules/.bin/shadcn'),
     ['add', `liten/gravity-stack/gravity-stack#${commit}`, '--yes'],
-    { NODE_OPTIONS: `--import=${join(root, 'e2e/install/github.mjs')}` },
+    answered,
   )
   expect(await project.read(file)).toBe(await source())
 })

@@ -153,7 +153,10 @@ export const test = base.extend<{ make: (name: string) => Promise<Project> }>({
   },
 })
 
-const tool = (name: string) => join(root, 'node_modules/.bin', name)
+export const tool = (name: string) => join(root, 'node_modules/.bin', name)
+
+/** For the CLI: what it asks of other sites than ours is answered from this checkout. */
+export const answered = { NODE_OPTIONS: `--import=${join(root, 'e2e/install/elsewhere.mjs')}` }
 
 /** What `shadcn init` writes, less the base colour, which it would look up on its own site. */
 export const components = (css: string, more: object = {}) => ({
@@ -186,11 +189,11 @@ export async function docsCode(page: string, { title, heading }: { title?: strin
   return code[1]
 }
 
-type Starter = { template?: string; starter?: string[]; install?: string[] }
+type Starter = { template?: string; starter?: string[]; install?: string[]; tailwind?: boolean }
 
 /** A project fresh from Vite's own starter, with Tailwind and the `@/` alias set up as the Setup page says. */
 export async function viteProject(project: Project, options: Starter = {}) {
-  const { template = 'react-ts', starter = [], install = ['npm', 'install'] } = options
+  const { template = 'react-ts', starter = [], install = ['npm', 'install'], tailwind = true } = options
   await project.run(tool('create-vite'), ['.', '--template', template, ...starter, '--no-interactive'])
   const alias = JSON.parse(await docsCode('setup', { title: 'tsconfig.json' })).compilerOptions.paths
   const paths = `"compilerOptions": { "paths": ${JSON.stringify(alias)}`
@@ -200,15 +203,18 @@ export async function viteProject(project: Project, options: Starter = {}) {
   const told = await docsCode('setup', { title: 'vite.config.ts' })
   const lines = (pattern: RegExp) => told.match(pattern)?.join('\n') ?? ''
   await project.edit('vite.config.ts', (text) =>
-    `${lines(/^import .*(node:url|tailwindcss\/vite).*$/gm)}\n${text}`
-      .replace('plugins: [', 'plugins: [tailwindcss(), ')
-      .replace('defineConfig({', `defineConfig({\n${lines(/^ *resolve: .*$/m)}`),
+    `${lines(/^import .*node:url.*$/m)}\n${text}`.replace(
+      'defineConfig({',
+      `defineConfig({\n${lines(/^ *resolve: .*$/m)}`,
+    ),
   )
-  await project.write({
-    'src/index.css': await docsCode('setup', { title: 'src/index.css' }),
-    'components.json': components('src/index.css', { rsc: false }),
-  })
+  await project.write({ 'components.json': components('src/index.css', { rsc: false }) })
   const [command, ...args] = install
+  if (!tailwind) return project.run(command, args)
+  await project.edit('vite.config.ts', (text) =>
+    `${lines(/^import .*tailwindcss\/vite.*$/m)}\n${text}`.replace('plugins: [', 'plugins: [tailwindcss(), '),
+  )
+  await project.write({ 'src/index.css': await docsCode('setup', { title: 'src/index.css' }) })
   await project.run(command, [...args, 'tailwindcss', '@tailwindcss/vite'])
 }
 

@@ -2,7 +2,18 @@ import { readFile, rm } from 'node:fs/promises'
 import { join } from 'node:path'
 import { root } from '../../scripts/run.mjs'
 import { siteUrl } from '../../site.config.mjs'
-import { components, docsCode, docsPage, expect, item, type Project, test } from './project'
+import {
+  answered,
+  components,
+  docsCode,
+  docsPage,
+  expect,
+  item,
+  type Project,
+  test,
+  tool,
+  viteProject,
+} from './project'
 
 /** The rows of the Setup page's table that speak of these words: each `…` of a row stands for anything. */
 async function answersTo(said: string) {
@@ -13,8 +24,7 @@ async function answersTo(said: string) {
   )
 }
 
-const add = (project: Project, ...what: string[]) =>
-  project.try(join(root, 'node_modules/.bin/shadcn'), ['add', ...what, '--yes'])
+const add = (project: Project, ...what: string[]) => project.try(tool('shadcn'), ['add', ...what, '--yes'])
 
 const bare = (project: Project, manifest: object = {}) =>
   project.write({
@@ -46,6 +56,41 @@ test.describe('the Setup page answers under the words of the error', () => {
     await project.write({ 'package.json': { name: 'new', private: true } })
     const { output } = await add(project, item('gravity-stack'))
     expect(await answersTo(output)).toContain('You need to create a components.json file')
+  })
+
+  test('when the project has neither Tailwind nor the alias: init stops', async ({ make }) => {
+    const project = await make('no-tailwind')
+    await project.run(tool('create-vite'), ['.', '--template', 'react-ts', '--no-interactive'])
+    const { code, output } = await project.try(tool('shadcn'), ['init', '--defaults'], answered)
+    expect(code).toBe(1)
+    expect(project.has('components.json')).toBe(false)
+    const answers = await answersTo(output)
+    expect(answers).toContain('No Tailwind CSS configuration found at …')
+    expect(answers).toContain('Could not find valid path aliases or package imports for init')
+  })
+
+  test('when the file is there and Tailwind is not: the words fly out of sight, and the console says why', async ({
+    make,
+    page,
+  }) => {
+    const project = await make('forced')
+    await viteProject(project, { tailwind: false })
+    // The CLI has nothing against it once there is a components.json, and the build neither.
+    await project.shadcn('add', item('gravity-stack'), '--yes')
+    await project.write({
+      'src/topics.tsx': await docsCode('gravity-stack', { heading: 'Usage' }),
+      'src/App.tsx': "export { Topics as default } from '@/topics'\n",
+    })
+    await project.run('npm', ['run', 'build'])
+    const said: string[] = []
+    page.on('console', (message) => said.push(message.text()))
+    const server = await project.serve('vite', (port) => ['--port', `${port}`, '--strictPort'])
+    await page.goto(server.url)
+    await expect(page.locator('[data-slot="gravity-stack"]')).toHaveAttribute('data-state', 'resting')
+    for (const chip of await page.locator('[data-slot="gravity-stack-chip"]').all())
+      await expect(chip).not.toBeInViewport()
+    expect(await answersTo(said.join('\n'))).toContain('GravityStack: Tailwind has made no styles for it')
+    await server.stop()
   })
 
   test('when there is no tsconfig.json', async ({ make }) => {
@@ -105,7 +150,7 @@ test.describe('the Setup page answers under the words of the error', () => {
       ),
       'topics.tsx': await docsCode('gravity-stack', { heading: 'Usage' }),
     })
-    const { code, output } = await project.try(join(root, 'node_modules/.bin/tsc'), ['--noEmit'])
+    const { code, output } = await project.try(tool('tsc'), ['--noEmit'])
     expect(code).not.toBe(0)
     const answers = await answersTo(output)
     expect(answers).toContain("Cannot find module '@/components/…'")

@@ -412,6 +412,10 @@ export function createStage(root: HTMLElement): Stage {
   /** The stage comes near the view for the first time. Until then it has done nothing. */
   function arm() {
     armed = true
+    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
+      warn(
+        'Tailwind has made no styles for it, so nothing can be seen. Is Tailwind set up, and does it scan this file?',
+      )
     changes.observe(root, { attributeFilter: ['class'], childList: true, subtree: true })
     collect()
     stillChanged()
