@@ -205,3 +205,20 @@ export function hardFigures(scene: HardScene, seeds = scene.seeds): Partial<Hard
     ]),
   )
 }
+
+/** A figure of a scene, the worst of its seeds; null is one without bound: never asleep. */
+export type HardRow = { scene: string; figure: string; value: number | null; bound: number }
+
+export function hardRows(scene: HardScene, seeds?: number): HardRow[] {
+  const figures = hardFigures(scene, seeds)
+  return Object.entries(scene.bounds).map(([figure, bound]) => {
+    const value = figures[figure as keyof HardFigures] ?? Number.NaN
+    return { scene: scene.name, figure, value: Number.isFinite(value) ? value : null, bound }
+  })
+}
+
+export const holds = ({ value, bound }: HardRow) => value !== null && value <= bound
+
+/** The figures of a scene that are beyond their bounds. */
+export const misses = (rows: HardRow[], scene: string) =>
+  rows.filter((row) => row.scene === scene && !holds(row)).map(({ figure }) => figure)

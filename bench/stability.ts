@@ -5,10 +5,7 @@ import { writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type HardFigures, hardScenes, hardUnits } from '../scenes/hard'
-import { hardFigures, playHardScene } from './hard-run'
-
-/** A figure of a scene, the worst of its seeds; null is one without bound: never asleep. */
-export type HardRow = { scene: string; figure: string; value: number | null; bound: number }
+import { type HardRow, hardRows, holds, playHardScene } from './hard-run'
 
 const { values: options } = parseArgs({
   options: {
@@ -31,17 +28,16 @@ for (const scene of hardScenes) {
     }
     continue
   }
-  const figures = hardFigures(scene, Number(options.seeds))
-  Object.entries(scene.bounds).forEach(([name, bound], i) => {
-    const value = figures[name as keyof HardFigures] ?? Number.NaN
-    const holds = value <= bound
-    if (!holds) broken++
-    kept.push({ scene: scene.name, figure: name, value: Number.isFinite(value) ? value : null, bound })
-    const shown = Number.isFinite(value) ? Number(value.toPrecision(3)).toString() : 'never'
+  for (const [i, row] of hardRows(scene, Number(options.seeds)).entries()) {
+    const { figure, value, bound } = row
+    const unit = hardUnits[figure as keyof HardFigures]
+    if (!holds(row)) broken++
+    kept.push(row)
+    const shown = value === null ? 'never' : Number(value.toPrecision(3)).toString()
     console.log(
-      `${(i === 0 ? scene.name : '').padEnd(28)}${name.padEnd(16)}${shown.padStart(10)}${String(bound).padStart(9)} ${hardUnits[name as keyof HardFigures]} ${holds ? '✓' : '✗'}`,
+      `${(i === 0 ? scene.name : '').padEnd(28)}${figure.padEnd(16)}${shown.padStart(10)}${String(bound).padStart(9)} ${unit} ${holds(row) ? '✓' : '✗'}`,
     )
-  })
+  }
 }
 if (options.write) {
   const file = fileURLToPath(new URL('./results/stability.json', import.meta.url))

@@ -90,6 +90,13 @@ export type HardScene = {
 /** Air as in the component: a scene that asks for sleep has it, as a disc in a vacuum rolls on for ever. */
 const aired: Conditions = { ...conditions, linearDamping: 0.35, angularDamping: 1.4 }
 
+/** Sines are not the same in every engine: with what comes of them put on a grid of 1/1024, a scene is. */
+const onGrid = (value: number) => Math.round(value * 1024) / 1024
+
+/** A pour that is the same in every engine. */
+const pour: typeof pourChips = (kind, count, seed) =>
+  pourChips(kind, count, seed).map((chip) => ({ ...chip, x: onGrid(chip.x), y: onGrid(chip.y) }))
+
 const settles = { lost: 0, outside: 1, overlap: 0.05, asleep: 6, hanging: 0 }
 
 function scatter(
@@ -106,8 +113,8 @@ function scatter(
     return {
       ...size,
       angle,
-      x: hx + random() * Math.max(0, width - 2 * hx),
-      y: hy + random() * Math.max(0, height - 2 * hy),
+      x: onGrid(hx + random() * Math.max(0, width - 2 * hx)),
+      y: onGrid(hy + random() * Math.max(0, height - 2 * hy)),
     }
   })
 }
@@ -217,7 +224,7 @@ export const hardScenes: HardScene[] = [
     seeds: 20,
     build(seed) {
       const random = seeded(seed)
-      return pourChips('mixed', 30, seed).map((chip, i) => ({
+      return pour('mixed', 30, seed).map((chip, i) => ({
         ...chip,
         x: 60 + 105 * (i % 6),
         y: 40 + 65 * Math.floor(i / 6),
@@ -235,7 +242,7 @@ export const hardScenes: HardScene[] = [
     seconds: 16,
     conditions: { ...aired, gravity: 100 },
     seeds: 20,
-    build: (seed) => pourChips('mixed', 40, seed),
+    build: (seed) => pour('mixed', 40, seed),
     calmFrom: 5,
     bounds: { ...settles, gain: 0.001 },
   },
@@ -246,7 +253,7 @@ export const hardScenes: HardScene[] = [
     seconds: 8,
     conditions: { ...aired, gravity: 20_000 },
     seeds: 20,
-    build: (seed) => pourChips('mixed', 40, seed),
+    build: (seed) => pour('mixed', 40, seed),
     bounds: { ...settles, gain: 0.001 },
   },
   {
@@ -256,7 +263,7 @@ export const hardScenes: HardScene[] = [
     seconds: 20,
     conditions: { ...conditions, bounce: 1, friction: 0, bounceThreshold: 0 },
     seeds: 20,
-    build: (seed) => pourChips('pills', 40, seed),
+    build: (seed) => pour('pills', 40, seed),
     bounds: { lost: 0, outside: 1, gain: 0.001, loss: 0.1 },
   },
   {
@@ -275,8 +282,8 @@ export const hardScenes: HardScene[] = [
           x: 80 + 160 * (i % 4),
           y: 70 + 100 * Math.floor(i / 4),
           angle: 7 * random(),
-          vx: 3600 * Math.cos(way),
-          vy: 3600 * Math.sin(way),
+          vx: onGrid(3600 * Math.cos(way)),
+          vy: onGrid(3600 * Math.sin(way)),
           spin: 40 * (random() - 0.5),
         }
       })
@@ -487,7 +494,7 @@ export const hardScenes: HardScene[] = [
     seconds: 14,
     conditions: aired,
     seeds: 20,
-    build: (seed) => pourChips('mixed', 40, seed),
+    build: (seed) => pour('mixed', 40, seed),
     act(frame, actor, seed) {
       if (frame < 180) return
       const random = seeded(1000 * seed + Math.floor((frame - 180) / 20))
@@ -504,7 +511,7 @@ export const hardScenes: HardScene[] = [
     seconds: 12,
     conditions: aired,
     seeds: 20,
-    build: (seed) => pourChips('pills', 60, seed),
+    build: (seed) => pour('pills', 60, seed),
     act(frame, actor) {
       if (frame < 180 || frame > 360) return
       if (frame === 360) actor.hold(59)
@@ -520,9 +527,10 @@ export const hardScenes: HardScene[] = [
     seconds: 18,
     conditions: aired,
     seeds: 20,
-    build: (seed) => pourChips('mixed', 40, seed),
+    build: (seed) => pour('mixed', 40, seed),
     act(frame, actor) {
-      if (frame < 600) actor.resize(480 + 160 * Math.cos(frame / 17), 340 + 60 * Math.sin(frame / 11))
+      if (frame < 600)
+        actor.resize(onGrid(480 + 160 * Math.cos(frame / 17)), onGrid(340 + 60 * Math.sin(frame / 11)))
       if (frame === 600) actor.resize(640, 340)
     },
     calmFrom: 10,
@@ -535,7 +543,7 @@ export const hardScenes: HardScene[] = [
     seconds: 12,
     conditions: aired,
     seeds: 20,
-    build: (seed) => pourChips('mixed', 40, seed),
+    build: (seed) => pour('mixed', 40, seed),
     act(frame, actor) {
       if (frame === 150) actor.resize(0, 0)
       if (frame === 180) actor.resize(640, 340)
