@@ -22,11 +22,11 @@ const { values: options } = parseArgs({ options: { stage: { type: 'string' } } }
 const drops = [
   [60, 150, 4],
   [60, 150, 1],
-  [250, 20, 1],
-  [1000, 5, 1],
+  [250, 10, 1],
+  [1000, 3, 1],
 ] as const
 /** s that a stage which never rests is watched after its last release. */
-const watched = 3
+const watched = 2
 /** s of the heap's samples. */
 const heapSeconds = 30
 const slow = 4
@@ -116,7 +116,7 @@ async function counter(session: CDPSession, name: string) {
 
 /** Layouts, shifts, layers, writes: from the server's markup until a second after the drop. */
 async function count(browser: Browser, stage: StageName) {
-  const conditions = { stage, chips: 60, stagger: 50 }
+  const conditions = { stage, chips: 60, stagger: 20 }
   return visit(browser, conditions, { counting: true }, async (page, session, start) => {
     await session.send('Performance.enable')
     await session.send('DOM.enable')
@@ -168,7 +168,7 @@ async function interact(browser: Browser, stage: StageName, throttle: number) {
     await start()
     await marked(page, 'drawn')
     for (let i = 0; i < 12; i++) {
-      await wait(0.2)
+      await wait(0.15)
       if (i % 3 === 2) await page.keyboard.press('a')
       else await page.mouse.click(40 + ((i * 0.618) % 1) * 560, 200 + (i % 4) * 35)
     }

@@ -39,6 +39,19 @@ test('drop() lets all chips fall anew, into the same pile', async ({ stage, page
   }
 })
 
+test('after drop() each chip waits out of sight for its turn', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await page.locator('#drop').click()
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'falling')
+  const seen = await stage.root.evaluate((root) => {
+    const { top } = root.getBoundingClientRect()
+    const waiting = [...root.querySelectorAll('[data-state=waiting]')]
+    return waiting.map((chip) => chip.getBoundingClientRect().bottom > top)
+  })
+  expect(seen).toContain(false)
+  expect(seen).not.toContain(true)
+})
+
 test('shake() throws the pile into the air, and it settles again inside', async ({ stage, page }) => {
   await stage.settled('extras')
   const { poses } = await stage.pile()

@@ -82,8 +82,8 @@ export class Trace {
   }
 
   /** Layouts and recalculated styles that script has forced. */
-  forced(from: number, to: number) {
-    const running = this.spans(scripts, from, to)
+  forced(from: number, to: number, names = scripts) {
+    const running = this.spans(names, from, to)
     return this.main.filter(
       ({ name, ts }) => styles.has(name) && running.some((span) => ts > span.from && ts < span.to),
     ).length
