@@ -1,4 +1,134 @@
+import type { Page } from '@playwright/test'
+import { seeded } from '../scenes/seeded'
 import { expect, test } from './fixtures/stage'
+
+declare global {
+  interface Window {
+    /** Lets the page's frames pass as if the display drew one after each of these times, ms; gives what was drawn. */
+    drive(times: number[]): Promise<string[]>
+  }
+}
+
+/** Takes frames and their times out of the display's hands. Given to the page before anything else in it runs. */
+function takeFrames() {
+  let now = 0
+  let waiting = new Map<number, FrameRequestCallback>()
+  let last = 0
+  window.requestAnimationFrame = (callback) => {
+    waiting.set(++last, callback)
+    return last
+  }
+  window.cancelAnimationFrame = (id) => waiting.delete(id)
+  Object.defineProperty(document, 'timeline', {
+    value: {
+      get currentTime() {
+        return now
+      },
+    },
+  })
+  window.drive = async (times) => {
+    const drawn: string[] = []
+    const stage = document.querySelector<HTMLElement>('[data-slot=gravity-stack]')!
+    for (const time of times) {
+      if (stage.dataset.state === 'resting') break
+      // Where nothing moves the stage waits by a timer of real time, and no frame is asked for.
+      while (waiting.size === 0 && stage.dataset.state === 'running')
+        await new Promise((done) => setTimeout(done, 1))
+      now += time
+      const due = waiting
+      waiting = new Map()
+      for (const callback of due.values()) callback(now)
+      await new Promise((done) => setTimeout(done, 0))
+      drawn.push(stage.querySelector<HTMLElement>('[data-slot=gravity-stack-chip]')!.style.transform)
+    }
+    return drawn
+  }
+}
+
+/** The pile that a page's drop ends in when its frames are this long, ms. */
+async function pileOf(page: Page, frame: (random: () => number) => number) {
+  const random = seeded(11)
+  const times = Array.from({ length: 5000 }, () => frame(random))
+  await page.evaluate((times) => window.drive(times), times)
+  return page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')].map((chip) => {
+      const m = new DOMMatrix(getComputedStyle(chip).transform)
+      return [m.e, m.f, Math.atan2(m.b, m.a)]
+    }),
+  )
+}
+
+test.describe('whatever the display does', () => {
+  test.beforeEach(async ({ page }) => {
+    await page.addInitScript(takeFrames)
+  })
+
+  const displays: Record<string, (random: () => number) => number> = {
+    'at 120 Hz': () => 1000 / 120,
+    'at 144 Hz': () => 1000 / 144,
+    'at 20 Hz': () => 50,
+    'with frames of 4 to 50 ms in any order': (random) => 4 + 46 * random(),
+    'where every frame takes 200 ms, in slow motion': () => 200,
+    'with a gap of five seconds now and then': (random) => (random() < 0.05 ? 5000 : 16),
+  }
+
+  test('the pile is the one that steady frames give', async ({ stage, page }) => {
+    const open = async () => {
+      await stage.open('pile', { chips: 16, shape: 'all', stagger: 40 })
+      await stage.reaches('running')
+    }
+    await open()
+    const steady = await pileOf(page, () => 1000 / 60)
+    await stage.reaches('resting')
+    for (const [name, frames] of Object.entries(displays)) {
+      await open()
+      const pile = await pileOf(page, frames)
+      await stage.reaches('resting')
+      for (const [i, [x, y, angle]] of pile.entries()) {
+        // What moves by less than a tenth of a pixel is not drawn again.
+        expect(Math.hypot(x - steady[i][0], y - steady[i][1]), `${name}, chip ${i}`).toBeLessThan(0.3)
+        expect(Math.abs(Math.sin((angle - steady[i][2]) / 2)), `${name}, chip ${i}`).toBeLessThan(0.01)
+      }
+    }
+  })
+
+  for (const rate of [60, 120, 144, 240]) {
+    test(`a chip falls smoothly at ${rate} Hz: what is drawn follows one parabola`, async ({
+      stage,
+      page,
+    }) => {
+      await stage.open('pile', { chips: 1, box: 'h-[700px] w-[640px]', stagger: 0 })
+      await stage.reaches('running')
+      const drawn = await page.evaluate(
+        (rate) => window.drive(Array.from({ length: Math.round(rate / 2) }, () => 1000 / rate)),
+        rate,
+      )
+      const heights = drawn.map((transform) => Number(/translate\(.+?px, (.+?)px/.exec(transform)?.[1]))
+      const falling = heights.filter((y, k) => k > rate / 20 && y < 600)
+      expect(falling.length).toBeGreaterThan(rate / 5)
+      // Third differences of a parabola are none, whatever the rate; one chip drawn a step late would make tens of px.
+      for (let k = 3; k < falling.length; k++) {
+        const [a, b, c, d] = falling.slice(k - 3, k + 1)
+        expect(Math.abs(d - 3 * c + 3 * b - a)).toBeLessThan(1.5)
+      }
+    })
+  }
+
+  test('a display that stalls for 200 ms a frame shows slow motion, and full speed after that', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('pile', { chips: 1, box: 'h-[700px] w-[640px]', stagger: 0 })
+    await stage.reaches('running')
+    const drawn = await page.evaluate(() => window.drive([200, 200, 200, 200, 200, 16, 16, 16]))
+    const y = drawn.map((transform) => Number(/translate\(.+?px, (.+?)px/.exec(transform)?.[1]))
+    // Three steps a frame at most: 2600 px/s² add 130 px/s in each, and 6.5 px of way.
+    for (let k = 2; k < 5; k++) expect(y[k] - 2 * y[k - 1] + y[k - 2]).toBeLessThan(8)
+    const speed = (y[4] - y[3]) / 0.05
+    expect((y[7] - y[6]) / 0.016 / speed).toBeGreaterThan(0.9)
+    expect((y[7] - y[6]) / 0.016 / speed).toBeLessThan(1.5)
+  })
+})
 
 test('ten thousand wild pointer events lose no chip and leave none held', async ({ stage, page }) => {
   await stage.settled('pile', { chips: 12, shape: 'all' })
@@ -68,4 +198,58 @@ test('five hundred children come and go at random, and those who stay lie still 
   await expect(stage.chips).toHaveCount(0)
   await stage.reaches('resting')
   expect(await stage.during('frames')).toBe(0)
+})
+
+test('resized with every frame for ten seconds, collapsed to nothing and back, the pile ends at rest inside', async ({
+  stage,
+}) => {
+  await stage.settled('pile', { chips: 14, shape: 'all' })
+  await stage.root.evaluate(async (root) => {
+    const until = performance.now() + 10_000
+    for (let i = 0; performance.now() < until; i++) {
+      root.style.width = `${330 + 300 * Math.sin(i / 9)}px`
+      root.style.height = `${200 + 150 * Math.cos(i / 7)}px`
+      // Now and then it is not there at all.
+      root.style.display = i % 90 < 80 ? '' : 'none'
+      if (i % 70 > 60) root.style.height = root.style.width = '0'
+      await window.probe.pass(1)
+    }
+    root.style.cssText = 'width: 640px; height: 340px'
+    await window.probe.pass(2)
+  })
+  await stage.reaches('resting')
+  expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.outside()).toBeLessThan(1)
+  expect(await stage.hovering()).toBeLessThan(0.5)
+})
+
+test('zoomed to 400 % in the middle of the fall, and back, the pile ends at rest inside', async ({
+  stage,
+  page,
+}) => {
+  const session = await page.context().newCDPSession(page)
+  const zoom = (times: number) =>
+    session.send('Emulation.setDeviceMetricsOverride', {
+      width: Math.round(1280 / times),
+      height: Math.round(1024 / times),
+      deviceScaleFactor: times,
+      mobile: false,
+    })
+  await zoom(1)
+  await stage.open('pile', { chips: 20, box: 'h-[240px] w-full', stagger: 60 })
+  await expect(stage.chips.nth(9)).toHaveAttribute('data-state', 'falling')
+  for (const times of [4, 1, 4]) {
+    await zoom(times)
+    await expect.poll(() => page.evaluate(() => devicePixelRatio)).toBe(times)
+    await page.evaluate(() => window.probe.pass(5))
+  }
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.outside()).toBeLessThan(1)
+  await zoom(1)
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.outside()).toBeLessThan(1)
 })

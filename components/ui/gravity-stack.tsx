@@ -3307,7 +3307,9 @@ function releasePose(
   gravity: number,
   obstacles: Obstacle[],
 ) {
-  const either = (channel: number) => 2 * scatter(index, channel) - 1
+  // A chip too long to turn between the walls falls level: it would jam between them, out of sight.
+  const turns = width * width + height * height < stageWidth * stageWidth
+  const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
   const halfHeight = height / 2 + width / 8
   const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
@@ -3438,7 +3440,9 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
-    warn(`${name} is ${value}, which is no number from 0 to ${most}. Going on with ${result}.`)
+    warn(
+      `${name} is ${value}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+    )
   return result
 }
 
@@ -3568,9 +3572,13 @@ function createStage(root: HTMLElement): Stage {
       chip.width = 0
       return withdraw(chip)
     }
-    if (process.env.NODE_ENV !== 'production' && (chipWidth > width || chipHeight > height) && width * height)
+    if (
+      process.env.NODE_ENV !== 'production' &&
+      (chipWidth >= width || chipHeight > height) &&
+      width * height
+    )
       warn(
-        'a chip is larger than its stage and can’t be seen whole. Make the chip smaller or the stage larger.',
+        'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
       )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = getComputedStyle(chip.element.firstElementChild ?? chip.element).borderRadius.split(
@@ -3923,6 +3931,17 @@ function createStage(root: HTMLElement): Stage {
     update(next) {
       const before = options
       options = { ...next } as typeof options
+      if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
+        warn(
+          `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
+        )
+      if (next.onSettle && typeof next.onSettle !== 'function') {
+        if (process.env.NODE_ENV !== 'production')
+          warn(
+            `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+          )
+        options.onSettle = undefined
+      }
       let changed = false
       for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
         options[name] = sane(name, next[name])

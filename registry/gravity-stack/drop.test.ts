@@ -61,6 +61,11 @@ describe('the drop', () => {
     for (const i of all.slice(0, 20)) expect(pose(i, 900).x).toBe(320)
   })
 
+  it('lets a chip that can’t turn between the walls fall level, so that it does not jam above the stage', () => {
+    for (const i of all.slice(0, 20))
+      expect(pose(i, 640)).toMatchObject({ x: 320, angle: 0, vx: 0, vy: 0, spin: 0 })
+  })
+
   it('keeps clear of what is still above the stage, even when all fall at once', () => {
     const there: { x: number; y: number; reach: number }[] = []
     const reach = Math.hypot(80, 36) / 2

@@ -52,7 +52,9 @@ export function releasePose(
   gravity: number,
   obstacles: Obstacle[],
 ) {
-  const either = (channel: number) => 2 * scatter(index, channel) - 1
+  // A chip too long to turn between the walls falls level: it would jam between them, out of sight.
+  const turns = width * width + height * height < stageWidth * stageWidth
+  const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
   const halfHeight = height / 2 + width / 8
   const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)

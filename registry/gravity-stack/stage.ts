@@ -110,7 +110,9 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
-    warn(`${name} is ${value}, which is no number from 0 to ${most}. Going on with ${result}.`)
+    warn(
+      `${name} is ${value}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+    )
   return result
 }
 
@@ -240,9 +242,13 @@ export function createStage(root: HTMLElement): Stage {
       chip.width = 0
       return withdraw(chip)
     }
-    if (process.env.NODE_ENV !== 'production' && (chipWidth > width || chipHeight > height) && width * height)
+    if (
+      process.env.NODE_ENV !== 'production' &&
+      (chipWidth >= width || chipHeight > height) &&
+      width * height
+    )
       warn(
-        'a chip is larger than its stage and can’t be seen whole. Make the chip smaller or the stage larger.',
+        'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
       )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = getComputedStyle(chip.element.firstElementChild ?? chip.element).borderRadius.split(
@@ -595,6 +601,17 @@ export function createStage(root: HTMLElement): Stage {
     update(next) {
       const before = options
       options = { ...next } as typeof options
+      if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
+        warn(
+          `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
+        )
+      if (next.onSettle && typeof next.onSettle !== 'function') {
+        if (process.env.NODE_ENV !== 'production')
+          warn(
+            `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+          )
+        options.onSettle = undefined
+      }
       let changed = false
       for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
         options[name] = sane(name, next[name])
