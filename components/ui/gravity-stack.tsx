@@ -67,16 +67,18 @@ const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */
 const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
-const CLOSING = 0.1
+const CLOSING_SHARE = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 const MARGIN = 0.5
+/** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
+const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
 const REFRESH = 0.6
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
-/** px; a chip that moved less in a sub-step leaves its contacts as they are until the next step. */
-const STANDING = 0.001
+/** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
+const STANDING = 0.0005
 /** px by which a broad-phase box is larger than its chip. */
 const SKIN = 8
 
@@ -145,7 +147,14 @@ const DRIFT_ANGLE = 8
 const COS = 9
 const SIN = 10
 const TURNED = 11
-const MOTION = 12
+/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and the pose up to which it counts. */
+const TRAVEL = 12
+const SEEN_X = 13
+const SEEN_Y = 14
+const SEEN_ANGLE = 15
+/** px, where that way will stand after the coming sub-step at the present speed. */
+const HORIZON = 16
+const MOTION = 17
 
 // Record of `shape`.
 const HX = 0
@@ -158,8 +167,6 @@ const CORE = 4
 /** 1 / px², inverse square of that distance; 0 for a disc. */
 const INV_CORE2 = 5
 const SHAPE = 6
-
-const PUSHED = 2
 
 interface Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
@@ -176,7 +183,7 @@ interface Bodies {
   asleep: Uint8Array
   /** Number of the last sweep that changed the body's velocity. */
   stirred: Int32Array
-  /** 1 if the last sub-step moved the body noticeably, `PUSHED` if a push did since. */
+  /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array
 }
 
@@ -257,8 +264,9 @@ function setShape(
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }
 
-/** cos and sin of `angle` by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
-function direction(angle: number, out: { cos: number; sin: number }): void {
+/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
+function orient(state: Float64Array, motion: Float64Array, i: number): void {
+  const angle = state[i * STATE + ANGLE]
   const quarter = Math.round(angle / (Math.PI / 2))
   // At most 0.79 rad from the nearest quarter turn: the series is short there.
   const a = angle - quarter * (Math.PI / 2)
@@ -280,23 +288,19 @@ function direction(angle: number, out: { cos: number; sin: number }): void {
               (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - (aa / 182) * (1 - aa / 240)))))))
   const odd = quarter % 2 !== 0
   const back = quarter - 4 * Math.floor(quarter / 4)
-  out.cos = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
-  out.sin = (odd ? cos : sin) * (back > 1 ? -1 : 1)
+  const m = i * MOTION
+  motion[m + COS] = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
+  motion[m + SIN] = (odd ? cos : sin) * (back > 1 ? -1 : 1)
+  motion[m + TURNED] = angle
 }
-
-const heading = { cos: 1, sin: 0 }
 
 /** Puts body `i` at a pose with a velocity, as if it had always been there. */
 function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number): void {
   const s = i * STATE
-  const m = i * MOTION
   bodies.state[s + X] = x
   bodies.state[s + Y] = y
   bodies.state[s + ANGLE] = angle
-  direction(angle, heading)
-  bodies.motion[m + COS] = heading.cos
-  bodies.motion[m + SIN] = heading.sin
-  bodies.motion[m + TURNED] = angle
+  orient(bodies.state, bodies.motion, i)
   bodies.before.set([x, y, angle], i * 3)
   bodies.rest.set([x, y, angle, 0], i * 4)
 }
@@ -310,11 +314,8 @@ function turn(state: Float64Array, motion: Float64Array, i: number): void {
   const angle = state[i * STATE + ANGLE]
   const by = angle - motion[m + TURNED]
   if (by === 0) return
-  if (by > 0.3 || by < -0.3) {
-    direction(angle, heading)
-    motion[m + COS] = heading.cos
-    motion[m + SIN] = heading.sin
-  } else {
+  if (by > 0.3 || by < -0.3) orient(state, motion, i)
+  else {
     const bb = by * by
     const t = by * (0.5 + bb * (1 / 24 + bb * (1 / 240 + bb * (17 / 40320))))
     const k = 2 / (1 + t * t)
@@ -328,6 +329,35 @@ function turn(state: Float64Array, motion: Float64Array, i: number): void {
     motion[m + SIN] = s * fix
   }
   motion[m + TURNED] = angle
+}
+
+/** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
+function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
+  const { state, motion, shape, moved } = bodies
+  for (let n = from; n < to; n++) {
+    const i = list[n] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
+    const x = state[s + X]
+    const y = state[s + Y]
+    const angle = state[s + ANGLE]
+    const core = shape[i * SHAPE + CORE]
+    const way =
+      Math.abs(x - motion[m + SEEN_X]) +
+      Math.abs(y - motion[m + SEEN_Y]) +
+      core * Math.abs(angle - motion[m + SEEN_ANGLE])
+    moved[i] = 0
+    if (way > STANDING) {
+      moved[i] = 1
+      motion[m + TRAVEL] += way
+      motion[m + SEEN_X] = x
+      motion[m + SEEN_Y] = y
+      motion[m + SEEN_ANGLE] = angle
+    }
+    motion[m + HORIZON] =
+      motion[m + TRAVEL] +
+      ahead * (Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + core * Math.abs(state[s + SPIN]))
+  }
 }
 
 /** What air does to a body in a time `h`: v ← fade·v + g·reach, x ← x + reach·v + g·fall. Exact for any h. */
@@ -364,20 +394,11 @@ const MAX_DAMPING = 0.5 / STEP
  *
  * The normal points from A to B. Each point lies on both surfaces: its arms are given from each body's own centre to
  * its own surface, its separation along the normal is negative where they overlap. Its feature says which corner made it.
+ *
+ * In and out through arrays: numbers handed over as arguments would be boxed.
  */
-const touch = {
-  count: 0,
-  /** px, the widest gap that still makes a contact point; to be set before a call. */
-  margin: 0,
-  /** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
-  ahead: 0,
-  /** px, distance of the shapes; a lower bound of it when it is more than the margin. */
-  gap: 0,
-  nx: 0,
-  ny: 0,
-  /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
-  points: new Float64Array(2 * 6) as Float64Array,
-}
+const touch: Float64Array = new Float64Array(20)
+/** px; from the centre of A to its surface, of B to its surface, separation, feature; then the same of a second point. */
 const AX = 0
 const AY = 1
 const BX = 2
@@ -385,46 +406,44 @@ const BY = 3
 const GAP = 4
 const FEATURE = 5
 const POINT = 6
+const NORMAL_X = 12
+const NORMAL_Y = 13
+/** Points made. */
+const COUNT = 14
+/** px, distance of the shapes; a lower bound of it when it is more than the widest. */
+const DISTANCE = 15
+/** px, the widest gap that still makes a contact point; to be set before a call. */
+const WIDEST = 16
+/** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
+const LEAD = 17
+/** px and px/s, gap of a point and the rate at which it opens, left by `probe`. */
+const GAP_NOW = 18
+const RATE_NOW = 19
 
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
 
-/**
- * Adds a point: (px, py) on the core of A from A's centre, (qx, qy) on the core of B from B's centre.
- * The radii follow in `finish`.
- */
-function addPoint(px: number, py: number, qx: number, qy: number, gap: number, feature: number): void {
-  const k = touch.count * POINT
-  const p = touch.points
-  p[k + AX] = px
-  p[k + AY] = py
-  p[k + BX] = qx
-  p[k + BY] = qy
-  p[k + GAP] = gap
-  p[k + FEATURE] = feature
-  touch.count++
-}
-
 /** Moves the points from the cores to the surfaces. */
-function finish(ra: number, rb: number): void {
-  const p = touch.points
-  for (let k = 0; k < touch.count * POINT; k += POINT) {
-    p[k + AX] += ra * touch.nx
-    p[k + AY] += ra * touch.ny
-    p[k + BX] -= rb * touch.nx
-    p[k + BY] -= rb * touch.ny
+function finish(shape: Float64Array, a: number, b: number): void {
+  const ra = shape[a * SHAPE + RADIUS]
+  const rb = shape[b * SHAPE + RADIUS]
+  for (let k = 0; k < touch[COUNT] * POINT; k += POINT) {
+    touch[k + AX] += ra * touch[NORMAL_X]
+    touch[k + AY] += ra * touch[NORMAL_Y]
+    touch[k + BX] -= rb * touch[NORMAL_X]
+    touch[k + BY] -= rb * touch[NORMAL_Y]
   }
 }
 
 /**
- * Distance of the shapes of bodies `a` and `b` in `touch.gap`, and their contact points where these are at most
- * `touch.margin` apart. Exact for rounded boxes of any size.
+ * Distance of the shapes of bodies `a` and `b` in `touch`, and their contact points where these are at most
+ * `WIDEST` apart. Exact for rounded boxes of any size.
  */
 function collide(bodies: Bodies, a: number, b: number): void {
   const shape = bodies.shape
   const sa = a * SHAPE
   const sb = b * SHAPE
-  touch.count = 0
+  touch[COUNT] = 0
   turn(bodies.state, bodies.motion, a)
   turn(bodies.state, bodies.motion, b)
   if ((shape[sa + HX] === 0 || shape[sa + HY] === 0) && (shape[sb + HX] === 0 || shape[sb + HY] === 0)) {
@@ -434,7 +453,6 @@ function collide(bodies: Bodies, a: number, b: number): void {
 
 /**
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
- * In and out through one array: numbers handed over as arguments would be boxed.
  */
 const line: Float64Array = new Float64Array(10)
 const PX = 0
@@ -505,8 +523,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   const square = nx * nx + ny * ny
   const distance = Math.sqrt(square)
   const gap = distance - radii
-  touch.gap = gap
-  if (gap > touch.margin) return
+  touch[DISTANCE] = gap
+  if (gap > touch[WIDEST]) return
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
   // The normal stands on the segment whose inside is nearest: the reference; the other one is cut to its length.
@@ -534,8 +552,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     nx *= inverse
     ny *= inverse
   }
-  touch.nx = nx
-  touch.ny = ny
+  touch[NORMAL_X] = nx
+  touch[NORMAL_Y] = ny
   if (uu > 0 && vv > 0 && (onA || onB)) {
     const rx = onA ? ux : vx
     const ry = onA ? uy : vy
@@ -572,17 +590,31 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
         const qy = oy + way * at * iy
         const apart = sign * (qx * nx + qy * ny) - radii
         if (apart < least) least = apart
-        if (apart > touch.margin) continue
+        if (apart > touch[WIDEST]) continue
         const along = mid + at * size
-        const feature = k === 0 ? loFeature : hiFeature
-        if (onA) addPoint(along * rx, along * ry, qx - ox, qy - oy, apart, feature)
-        else addPoint(qx - ox, qy - oy, along * rx, along * ry, apart, feature)
+        const p = touch[COUNT]++ * POINT
+        const mine = p + (onA ? AX : BX)
+        const its = p + (onA ? BX : AX)
+        touch[mine] = along * rx
+        touch[mine + 1] = along * ry
+        touch[its] = qx - ox
+        touch[its + 1] = qy - oy
+        touch[p + GAP] = apart
+        touch[p + FEATURE] = k === 0 ? loFeature : hiFeature
       }
-      if (crossed) touch.gap = least
+      if (crossed) touch[DISTANCE] = least
     }
   }
-  if (touch.count === 0) addPoint(s * ux, s * uy, t * vx, t * vy, gap, onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
-  finish(shape[a * SHAPE + RADIUS], shape[b * SHAPE + RADIUS])
+  if (touch[COUNT] === 0) {
+    touch[COUNT] = 1
+    touch[AX] = s * ux
+    touch[AY] = s * uy
+    touch[BX] = t * vx
+    touch[BY] = t * vy
+    touch[GAP] = gap
+    touch[FEATURE] = onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0
+  }
+  finish(shape, a, b)
 }
 
 /** Two rounded boxes, or one and a pill or disc: separating axes of the cores, then the features that face each other. */
@@ -638,8 +670,8 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
       axis = 3
     }
   }
-  touch.gap = best - radii
-  if (touch.gap > touch.margin) return
+  touch[DISTANCE] = best - radii
+  if (touch[DISTANCE] > touch[WIDEST]) return
 
   // Reference R with the face, incident I with the side that faces it most; everything from R's centre.
   const onA = axis < 2
@@ -696,6 +728,8 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
   const own = onA ? 0 : 4
   const other = onA ? 4 : 0
   const face = onX ? 0 : 2
+  const mine = onA ? AX : BX
+  const its = onA ? BX : AX
 
   // Where the cores are apart the closest features may be two corners.
   if (best > 0) {
@@ -720,23 +754,25 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
       // Two corners only if the line between them leaves the face: else the face's own normal is the same.
       if (distance > best + 1e-9) {
         const gap = distance - radii
-        touch.gap = gap
-        if (gap > touch.margin) return
-        touch.nx = (sign * dx) / distance
-        touch.ny = (sign * dy) / distance
-        const qx = mx + ex * t - ox
-        const qy = my + ey * t - oy
-        const feature = own + (s > 0 ? 1 : 0)
-        if (onA) addPoint(rx, ry, qx, qy, gap, feature)
-        else addPoint(qx, qy, rx, ry, gap, feature)
-        finish(ra, rb)
+        touch[DISTANCE] = gap
+        if (gap > touch[WIDEST]) return
+        touch[NORMAL_X] = (sign * dx) / distance
+        touch[NORMAL_Y] = (sign * dy) / distance
+        touch[COUNT] = 1
+        touch[mine] = rx
+        touch[mine + 1] = ry
+        touch[its] = mx + ex * t - ox
+        touch[its + 1] = my + ey * t - oy
+        touch[GAP] = gap
+        touch[FEATURE] = own + (s > 0 ? 1 : 0)
+        finish(shape, a, b)
         return
       }
     }
   }
 
-  touch.nx = sign * fx
-  touch.ny = sign * fy
+  touch[NORMAL_X] = sign * fx
+  touch[NORMAL_Y] = sign * fy
   const mid = mx * gx + my * gy
   const span = ex * gx + ey * gy
   let lo = -1
@@ -770,15 +806,17 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
     const apart = fx * qx + fy * qy - depth
     const gap = apart - radii
     if (gap < least) least = gap
-    if (gap > touch.margin) continue
-    const feature = k === 0 ? loFeature : hiFeature
-    const rx = qx - fx * apart
-    const ry = qy - fy * apart
-    if (onA) addPoint(rx, ry, qx - ox, qy - oy, gap, feature)
-    else addPoint(qx - ox, qy - oy, rx, ry, gap, feature)
+    if (gap > touch[WIDEST]) continue
+    const p = touch[COUNT]++ * POINT
+    touch[p + mine] = qx - fx * apart
+    touch[p + mine + 1] = qy - fy * apart
+    touch[p + its] = qx - ox
+    touch[p + its + 1] = qy - oy
+    touch[p + GAP] = gap
+    touch[p + FEATURE] = k === 0 ? loFeature : hiFeature
   }
-  touch.gap = least
-  finish(ra, rb)
+  touch[DISTANCE] = least
+  finish(shape, a, b)
 }
 
 /** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
@@ -798,9 +836,10 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
   const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
   const ny = wall === 1 ? -1 : 0
   const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
-  touch.count = 0
-  touch.nx = nx
-  touch.ny = ny
+  touch.fill(0, 0, NORMAL_X)
+  touch[COUNT] = 0
+  touch[NORMAL_X] = nx
+  touch[NORMAL_Y] = ny
   const c = motion[b * MOTION + COS]
   const s = motion[b * MOTION + SIN]
   const hx = shape[b * SHAPE + HX]
@@ -812,20 +851,28 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
   const deepX = lx > 0 ? -lx * hx : lx * hx
   const deepY = ly > 0 ? -ly * hy : ly * hy
   const gap = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r + deepX + deepY
-  touch.gap = gap
-  if (gap > touch.margin) return
+  touch[DISTANCE] = gap
+  if (gap > touch[WIDEST]) return
   let x = lx > 0 ? -hx : hx
   let y = ly > 0 ? -hy : hy
-  addPoint(0, 0, c * x - s * y, s * x + c * y, gap, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+  touch[COUNT] = 1
+  touch[BX] = c * x - s * y
+  touch[BY] = s * x + c * y
+  touch[GAP] = gap
+  touch[FEATURE] = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)
   // The other end of the lower side.
   const flipX = hx > 0 && (hy === 0 || deepX > deepY)
   const rise = gap - 2 * (flipX ? deepX : deepY)
-  if ((flipX ? hx : hy) > 0 && rise <= touch.margin) {
+  if ((flipX ? hx : hy) > 0 && rise <= touch[WIDEST]) {
     if (flipX) x = -x
     else y = -y
-    addPoint(0, 0, c * x - s * y, s * x + c * y, rise, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+    touch[COUNT] = 2
+    touch[POINT + BX] = c * x - s * y
+    touch[POINT + BY] = s * x + c * y
+    touch[POINT + GAP] = rise
+    touch[POINT + FEATURE] = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)
   }
-  finish(0, r)
+  finish(shape, 0, b)
 }
 
 // contacts: contacts kept from step to step ─────────────────────────────────────────────────────────────────
@@ -842,31 +889,27 @@ const NX = 0
 const NY = 1
 /** 0: apart, no manifold; 1 or 2 points. */
 const POINTS = 2
-const NA1 = 3
-const NB1 = 4
-/** Accumulated impulses of a sub-step: normal of each point, friction. */
-const LOAD1 = 5
-/** px/s at which a gap may close in the sub-step. */
-const CLOSING1 = 6
-/** Inverse effective mass along the normal, its inverse; those of point 2, their coupling, and 1 / det K, 0 where the two are nearly one. */
-const K11 = 7
-const MASS1 = 8
+/** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
+const NA = 3
+const NB = 4
+/** Accumulated impulse of a sub-step. */
+const LOAD = 5
+/** px/s at which the gap may close in the sub-step. */
+const CLOSING = 6
+/** Inverse effective mass along the normal, and its inverse. */
+const K = 7
+const MASS = 8
+/** px, gap at the origin of the poses. */
+const BASE = 9
+const SECOND = 7
+/** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
+const K12 = 17
+const INV_DET = 18
 /** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-const TA = 9
-const TB = 10
-const DRAG = 11
-const MASS_T = 12
-const NA2 = 13
-const NB2 = 14
-const LOAD2 = 15
-const CLOSING2 = 16
-const K22 = 17
-const MASS2 = 18
-const K12 = 19
-const INV_DET = 20
-/** Gap of each point at the origin of the poses. */
-const BASE1 = 21
-const BASE2 = 22
+const TA = 19
+const TB = 20
+const DRAG = 21
+const MASS_T = 22
 /** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
 const CLEAR = 23
 const FROM_X = 24
@@ -877,14 +920,15 @@ const FROM_B = 27
 const RATE = 28
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 const LAG = 29
-/** Impact: wanted velocities along both normals and the tangent, impulses, last change of a normal velocity, px/s. */
-const GOAL1 = 30
-const GOAL2 = 31
+/** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
+const GOAL = 30
+const HIT = 31
 const GOAL_T = 32
-const HIT1 = 33
-const HIT2 = 34
-const HIT_T = 35
-const CHANGE = 36
+const HIT_T = 33
+/** px/s, last change of a normal velocity. */
+const CHANGE = 34
+/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
+const DUE = 35
 const CONTACT = 40
 
 interface Contacts {
@@ -908,6 +952,23 @@ interface Contacts {
   measured: number
   /** Rows visited by sweeps. */
   rows: number
+}
+
+/** What a world is made of, and what it is like there. */
+interface Scene {
+  bodies: Bodies
+  contacts: Contacts
+  walls: Walls
+  /** px/s² downwards. */
+  gravity: number
+  bounce: number
+  friction: number
+  /** px/s of approach below which nothing bounces. */
+  threshold: number
+  /** s, length of a sub-step. */
+  h: number
+  /** px/s, change of a velocity that the sweeps of the present island leave alone. */
+  tolerance: number
 }
 
 function createContacts(): Contacts {
@@ -972,6 +1033,7 @@ function addContact(contacts: Contacts, a: number, b: number, wall: number): num
   contacts.wall[c] = wall
   contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
   contacts.data[c * CONTACT + CLEAR] = -Infinity
+  contacts.data[c * CONTACT + DUE] = -Infinity
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c
@@ -991,8 +1053,8 @@ function removeContact(contacts: Contacts, c: number): void {
 function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): void {
   const d = contacts.data
   const k = c * CONTACT
-  const l1 = sign * d[k + LOAD1]
-  const l2 = sign * d[k + LOAD2]
+  const l1 = sign * d[k + LOAD]
+  const l2 = sign * d[k + SECOND + LOAD]
   const lt = sign * d[k + DRAG]
   const nx = d[k + NX]
   const ny = d[k + NY]
@@ -1008,16 +1070,17 @@ function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): voi
   motion[ma + PUSH_X] -= ima * x
   motion[ma + PUSH_Y] -= ima * y
   motion[ma + PUSH_SPIN] -=
-    state[a * STATE + INV_INERTIA] * (d[k + NA1] * l1 + d[k + NA2] * l2 + d[k + TA] * lt)
+    state[a * STATE + INV_INERTIA] * (d[k + NA] * l1 + d[k + SECOND + NA] * l2 + d[k + TA] * lt)
   motion[mb + PUSH_X] += imb * x
   motion[mb + PUSH_Y] += imb * y
   motion[mb + PUSH_SPIN] +=
-    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt) + sign * d[k + LAG]
+    state[b * STATE + INV_INERTIA] * (d[k + NB] * l1 + d[k + SECOND + NB] * l2 + d[k + TB] * lt) +
+    sign * d[k + LAG]
 }
 
 /**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
- * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
+ * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
 function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
   const a = contacts.pair[2 * c] & INDEX
@@ -1026,7 +1089,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
-  const turned = a > 0 ? 0 : touch.ahead * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
+  const turned = a > 0 ? 0 : touch[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
   if (a > 0) collide(bodies, a, b)
   else {
     state[b * STATE + ANGLE] = angleB + turned
@@ -1036,92 +1099,95 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const loaded = had > 0 && d[k + LOAD1] + d[k + LOAD2] > 0
-  const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
+  const loaded = had > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  const torque =
+    had > 0
+      ? d[k + NB] * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + d[k + TB] * d[k + DRAG]
+      : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
-  d[k + CLEAR] = touch.gap
+  d[k + CLEAR] = touch[DISTANCE]
   d[k + FROM_X] = dx
   d[k + FROM_Y] = dy
   d[k + FROM_A] = angleA
   d[k + FROM_B] = angleB
-  d[k + POINTS] = touch.count
-  if (touch.count === 0) {
-    d[k + LOAD1] = 0
-    d[k + LOAD2] = 0
+  d[k + POINTS] = touch[COUNT]
+  d[k + DUE] = -Infinity
+  if (touch[COUNT] === 0) {
+    d[k + LOAD] = 0
+    d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
-    d[k + NA2] = 0
-    d[k + NB2] = 0
+    d[k + SECOND + NA] = 0
+    d[k + SECOND + NB] = 0
     return
   }
 
   // Impulses by feature.
-  const points = touch.points
-  const f1 = points[FEATURE]
-  const f2 = touch.count > 1 ? points[POINT + FEATURE] : -1
+  const f1 = touch[FEATURE]
+  const f2 = touch[COUNT] > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
   if (loaded) {
-    const l1 = d[k + LOAD1]
-    const l2 = had > 1 ? d[k + LOAD2] : 0
-    if (touch.count === 1) {
-      d[k + LOAD1] = l1 + l2
-      d[k + LOAD2] = 0
+    const l1 = d[k + LOAD]
+    const l2 = had > 1 ? d[k + SECOND + LOAD] : 0
+    if (touch[COUNT] === 1) {
+      d[k + LOAD] = l1 + l2
+      d[k + SECOND + LOAD] = 0
     } else if (had === 1) {
       if (old1 === f2) {
-        d[k + LOAD1] = 0
-        d[k + LOAD2] = l1
+        d[k + LOAD] = 0
+        d[k + SECOND + LOAD] = l1
       } else if (old1 !== f1) {
-        d[k + LOAD1] = l1 / 2
-        d[k + LOAD2] = l1 / 2
-      } else d[k + LOAD2] = 0
+        d[k + LOAD] = l1 / 2
+        d[k + SECOND + LOAD] = l1 / 2
+      } else d[k + SECOND + LOAD] = 0
     } else if (old1 === f2 || old2 === f1) {
-      d[k + LOAD1] = l2
-      d[k + LOAD2] = l1
+      d[k + LOAD] = l2
+      d[k + SECOND + LOAD] = l1
     }
   } else {
-    d[k + LOAD1] = 0
-    d[k + LOAD2] = 0
+    d[k + LOAD] = 0
+    d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
   }
   contacts.feature[2 * c] = f1
   contacts.feature[2 * c + 1] = f2
 
-  const nx = touch.nx
-  const ny = touch.ny
+  const nx = touch[NORMAL_X]
+  const ny = touch[NORMAL_Y]
   const ima = state[a * STATE + INV_MASS]
   const imb = state[b * STATE + INV_MASS]
   const iia = state[a * STATE + INV_INERTIA]
   const iib = state[b * STATE + INV_INERTIA]
   const im = ima + imb
-  const na1 = points[AX] * ny - points[AY] * nx
-  const nb1 = points[BX] * ny - points[BY] * nx
-  let ta = points[AX] * nx + points[AY] * ny
-  let tb = points[BX] * nx + points[BY] * ny
+  const na1 = touch[AX] * ny - touch[AY] * nx
+  const nb1 = touch[BX] * ny - touch[BY] * nx
+  let ta = touch[AX] * nx + touch[AY] * ny
+  let tb = touch[BX] * nx + touch[BY] * ny
   const across = nx * dx + ny * dy
   d[k + NX] = nx
   d[k + NY] = ny
-  d[k + NA1] = na1
-  d[k + NB1] = nb1
-  d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
+  d[k + NA] = na1
+  d[k + NB] = nb1
+  d[k + BASE] = touch[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
-  d[k + K11] = k11
-  d[k + MASS1] = 1 / k11
-  if (touch.count > 1) {
-    const na2 = points[POINT + AX] * ny - points[POINT + AY] * nx
-    const nb2 = points[POINT + BX] * ny - points[POINT + BY] * nx
-    ta = (ta + points[POINT + AX] * nx + points[POINT + AY] * ny) / 2
-    tb = (tb + points[POINT + BX] * nx + points[POINT + BY] * ny) / 2
+  d[k + K] = k11
+  d[k + MASS] = 1 / k11
+  if (touch[COUNT] > 1) {
+    const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
+    const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
+    ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
+    tb = (tb + touch[POINT + BX] * nx + touch[POINT + BY] * ny) / 2
     const k22 = im + iia * na2 * na2 + iib * nb2 * nb2
     const k12 = im + iia * na1 * na2 + iib * nb1 * nb2
     const det = k11 * k22 - k12 * k12
-    d[k + NA2] = na2
-    d[k + NB2] = nb2
-    d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
-    d[k + K22] = k22
-    d[k + MASS2] = 1 / k22
+    d[k + SECOND + NA] = na2
+    d[k + SECOND + NB] = nb2
+    d[k + SECOND + BASE] = touch[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
+    d[k + SECOND + K] = k22
+    d[k + SECOND + MASS] = 1 / k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
@@ -1130,25 +1196,36 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
-    if (a === 0 && had === touch.count && f1 === old1) {
-      const now = nb1 * d[k + LOAD1] + (touch.count > 1 ? d[k + NB2] * d[k + LOAD2] : 0) + tb * d[k + DRAG]
+    if (a === 0 && had === touch[COUNT] && f1 === old1) {
+      const now =
+        nb1 * d[k + LOAD] +
+        (touch[COUNT] > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
+        tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)
   }
 }
 
-/** px, gap of point 1 (or of point 2 with `second`) at the present poses. */
-function gapOf(bodies: Bodies, contacts: Contacts, c: number, second: boolean): number {
+/** Leaves in `touch` the gap (px) of the point of contact `c` with its record at `p`, and the rate (px/s) at which it opens. */
+function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
   const d = contacts.data
-  const k = c * CONTACT
-  const sa = contacts.pair[2 * c] * STATE
-  const sb = contacts.pair[2 * c + 1] * STATE
+  const k = (c & INDEX) * CONTACT
+  const a = (contacts.pair[2 * c] & INDEX) * STATE
+  const b = (contacts.pair[2 * c + 1] & INDEX) * STATE
   const s = bodies.state
-  const across = d[k + NX] * (s[sb + X] - s[sa + X]) + d[k + NY] * (s[sb + Y] - s[sa + Y])
-  return second
-    ? d[k + BASE2] + across + d[k + NB2] * s[sb + ANGLE] - d[k + NA2] * s[sa + ANGLE]
-    : d[k + BASE1] + across + d[k + NB1] * s[sb + ANGLE] - d[k + NA1] * s[sa + ANGLE]
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const na = d[p + NA]
+  const nb = d[p + NB]
+  touch[GAP_NOW] =
+    d[p + BASE] +
+    nx * (s[b + X] - s[a + X]) +
+    ny * (s[b + Y] - s[a + Y]) +
+    nb * s[b + ANGLE] -
+    na * s[a + ANGLE]
+  touch[RATE_NOW] =
+    nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
 /** px, bound of how much the gap of contact `c` may have changed since it was measured. */
@@ -1363,8 +1440,9 @@ interface Impacts {
   mark: Int32Array
   phase: number
   sweeps: number
-  /** px/s, the hardest hit of the cluster. */
+  /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest: number
+  passOn: number
 }
 
 function createImpacts(): Impacts {
@@ -1379,6 +1457,7 @@ function createImpacts(): Impacts {
     phase: 0,
     sweeps: 0,
     fastest: 0,
+    passOn: 0,
   }
 }
 
@@ -1390,160 +1469,97 @@ function reserveImpacts(impacts: Impacts, bodies: number): void {
   impacts.mark = grown(impacts.mark, bodies)
 }
 
-/** Gravity, bounce and the rest of what an impact needs to know. */
-interface ImpactScene {
-  bodies: Bodies
-  contacts: Contacts
-  walls: Walls
-  gravity: number
-  bounce: number
-  friction: number
-  threshold: number
-}
-
-/** px/s, velocity along the normal of point 1 (or 2). */
-function approach(
-  state: Float64Array,
-  d: Float64Array,
-  k: number,
-  a: number,
-  b: number,
-  second: boolean,
-): number {
-  const along = d[k + NX] * (state[b + VX] - state[a + VX]) + d[k + NY] * (state[b + VY] - state[a + VY])
-  return second
-    ? along + d[k + NB2] * state[b + SPIN] - d[k + NA2] * state[a + SPIN]
-    : along + d[k + NB1] * state[b + SPIN] - d[k + NA1] * state[a + SPIN]
-}
-
-/** px/s, change of that velocity over the sub-step by gravity and the contacts that already push. */
-function pull(scene: ImpactScene, k: number, a: number, b: number, second: boolean, h: number): number {
-  const d = scene.contacts.data
-  const m = scene.bodies.motion
-  const ma = a * MOTION
-  const mb = b * MOTION
-  const fallA = a > 0 ? scene.gravity * h : 0
-  const fallB = b > 0 ? scene.gravity * h : 0
-  const along =
-    d[k + NX] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-    d[k + NY] * (m[mb + PUSH_Y] + fallB - m[ma + PUSH_Y] - fallA)
-  return second
-    ? along + d[k + NB2] * m[mb + PUSH_SPIN] - d[k + NA2] * m[ma + PUSH_SPIN]
-    : along + d[k + NB1] * m[mb + PUSH_SPIN] - d[k + NA1] * m[ma + PUSH_SPIN]
-}
-
-/** The impact that `predict` found. */
-const ahead = { time: 0, goal: 0, speed: 0 }
+/** What `foresee` found: when contact `c` will hit (s from the start of the sub-step, its end if not), and how hard (px/s). */
+const ahead = { time: 0, speed: 0 }
 
 /**
- * Whether a point of contact `c` will hit within `h` hard enough to bounce; when, and with what velocity at the start
- * of the sub-step it would leave as it should.
+ * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. The goals are the velocities at the
+ * start of the sub-step with which the points would leave as they should.
  */
-function predict(scene: ImpactScene, c: number, second: boolean, h: number): boolean {
-  const { bodies, contacts } = scene
+function foresee(scene: Scene, c: number): boolean {
+  const { bodies, contacts, h } = scene
+  const d = contacts.data
+  const m = bodies.motion
   const k = c * CONTACT
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const v = approach(bodies.state, contacts.data, k, a * STATE, b * STATE, second)
-  if (v > 0) return false
-  const gap = Math.max(0, gapOf(bodies, contacts, c, second))
-  const change = pull(scene, k, a, b, second, h)
-  if (gap + (v + 0.5 * change) * h >= 0) return false
-  const rate = change / h
-  const square = v * v - 2 * rate * gap
-  if (!(square > scene.threshold * scene.threshold)) return false
-  const hit = -Math.sqrt(square)
-  const time = Math.min(h, (2 * gap) / (-v - hit))
-  // A bounce so low that it would land again within the sub-step is left to rest.
-  const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
-  ahead.time = time
-  ahead.speed = -hit
-  ahead.goal = -e * hit - (hit - v)
-  return true
+  const a = contacts.pair[2 * c] * MOTION
+  const b = contacts.pair[2 * c + 1] * MOTION
+  ahead.time = h
+  ahead.speed = 0
+  d[k + SECOND + GOAL] = -Infinity
+  for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
+    d[p + GOAL] = -Infinity
+    probe(bodies, contacts, c, p)
+    const v = touch[RATE_NOW]
+    const gap = Math.max(0, touch[GAP_NOW])
+    // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
+    const change =
+      d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
+      d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * h)) +
+      d[p + NB] * m[b + PUSH_SPIN] -
+      d[p + NA] * m[a + PUSH_SPIN]
+    if (v > 0 || gap + (v + 0.5 * change) * h >= 0) continue
+    const rate = change / h
+    const square = v * v - 2 * rate * gap
+    if (!(square > scene.threshold * scene.threshold)) continue
+    const hit = -Math.sqrt(square)
+    const time = Math.min(h, (2 * gap) / (-v - hit))
+    // A bounce so low that it would land again within the sub-step is left to rest.
+    const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
+    ahead.time = Math.min(ahead.time, time)
+    ahead.speed = Math.max(ahead.speed, -hit)
+    d[p + GOAL] = -e * hit - (hit - v)
+  }
+  return ahead.speed > 0
 }
 
-/** Takes contact `c` into the cluster with both goals and a time. */
-function enlist(
-  impacts: Impacts,
-  scene: ImpactScene,
-  c: number,
-  goal1: number,
-  goal2: number,
-  when: number,
-  h: number,
-): void {
-  const { bodies, contacts } = scene
+/** Takes contact `c`, which hits at time `when`, into the cluster. */
+function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
+  const { data: d, mark, pair } = scene.contacts
   if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
   impacts.list[impacts.count++] = c
-  contacts.mark[c] = impacts.phase
+  mark[c] = impacts.phase
   const k = c * CONTACT
-  const d = contacts.data
-  d[k + GOAL1] = goal1
-  d[k + GOAL2] = goal2
-  d[k + HIT1] = 0
-  d[k + HIT2] = 0
-  d[k + HIT_T] = 0
-  const m = bodies.motion
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const ma = a * MOTION
-  const mb = b * MOTION
-  const fall = (b > 0 ? scene.gravity * h : 0) - (a > 0 ? scene.gravity * h : 0)
+  d[k + HIT] = d[k + SECOND + HIT] = d[k + HIT_T] = 0
+  const m = scene.bodies.motion
+  const a = pair[2 * c] * MOTION
+  const b = pair[2 * c + 1] * MOTION
   const slip =
-    d[k + NX] * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) -
-    d[k + NY] * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-    d[k + TB] * m[mb + PUSH_SPIN] -
-    d[k + TA] * m[ma + PUSH_SPIN]
-  d[k + GOAL_T] = (-slip * when) / h
-  reach(impacts, scene, contacts.pair[2 * c], when)
-  reach(impacts, scene, contacts.pair[2 * c + 1], when)
+    d[k + NX] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * scene.h)) -
+    d[k + NY] * (m[b + PUSH_X] - m[a + PUSH_X]) +
+    d[k + TB] * m[b + PUSH_SPIN] -
+    d[k + TA] * m[a + PUSH_SPIN]
+  d[k + GOAL_T] = (-slip * when) / scene.h
+  for (let side = 0; side < 2; side++) {
+    const i = pair[2 * c + side]
+    if (i === 0 || impacts.mark[i] === impacts.phase) continue
+    impacts.mark[i] = impacts.phase
+    const n = impacts.bodyCount++
+    impacts.bodies[n] = i
+    impacts.when[i] = when
+    for (let axis = 0; axis < 3; axis++)
+      impacts.before[n * 3 + axis] = scene.bodies.state[i * STATE + VX + axis]
+  }
 }
 
-function reach(impacts: Impacts, scene: ImpactScene, i: number, when: number): void {
-  if (i === 0 || impacts.mark[i] === impacts.phase) return
-  impacts.mark[i] = impacts.phase
-  const state = scene.bodies.state
-  const n = impacts.bodyCount++
-  impacts.bodies[n] = i
-  impacts.before[n * 3] = state[i * STATE + VX]
-  impacts.before[n * 3 + 1] = state[i * STATE + VY]
-  impacts.before[n * 3 + 2] = state[i * STATE + SPIN]
-  impacts.when[i] = when
-}
+/** Poses of two bodies while one is measured where it will be. */
+const kept: Float64Array = new Float64Array(6)
 
-/** Measures contact `c` at the poses that its bodies will have when it hits: the geometry of the impact, not of its eve. */
-function measureAt(scene: ImpactScene, c: number, time: number, h: number): void {
-  const { bodies, contacts } = scene
-  const a = contacts.pair[2 * c]
-  const b = contacts.pair[2 * c + 1]
-  const s = bodies.state
-  const ax = s[a * STATE + X]
-  const ay = s[a * STATE + Y]
-  const aa = s[a * STATE + ANGLE]
-  const bx = s[b * STATE + X]
-  const by = s[b * STATE + Y]
-  const ba = s[b * STATE + ANGLE]
-  advance(scene, a, time, h)
-  advance(scene, b, time, h)
-  touch.margin = MARGIN
-  measure(bodies, contacts, scene.walls, c)
-  s[a * STATE + X] = ax
-  s[a * STATE + Y] = ay
-  s[a * STATE + ANGLE] = aa
-  s[b * STATE + X] = bx
-  s[b * STATE + Y] = by
-  s[b * STATE + ANGLE] = ba
-}
-
-function advance(scene: ImpactScene, i: number, time: number, h: number): void {
-  if (i === 0) return
-  const { state, motion } = scene.bodies
-  const s = i * STATE
-  const m = i * MOTION
+/** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
+function measureAt(scene: Scene, c: number, time: number): void {
+  const { bodies, contacts, gravity, h } = scene
+  const { state, motion } = bodies
   const half = (0.5 * time * time) / h
-  state[s + X] += state[s + VX] * time + motion[m + PUSH_X] * half
-  state[s + Y] += state[s + VY] * time + motion[m + PUSH_Y] * half + 0.5 * scene.gravity * time * time
-  state[s + ANGLE] += state[s + SPIN] * time + motion[m + PUSH_SPIN] * half
+  for (let n = 0; n < 6; n++) {
+    const axis = n % 3
+    const i = contacts.pair[2 * c + (n > 2 ? 1 : 0)]
+    const s = i * STATE + axis
+    kept[n] = state[s]
+    if (i > 0)
+      state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
+  }
+  touch[WIDEST] = MARGIN
+  measure(bodies, contacts, scene.walls, c)
+  for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
 /** Empties the cluster for a new sub-step. */
@@ -1555,30 +1571,23 @@ function clearImpacts(impacts: Impacts): void {
 }
 
 /** Contact `c` joins the cluster if one of its points will hit. */
-function enterImpact(impacts: Impacts, scene: ImpactScene, c: number, h: number): void {
-  const d = scene.contacts.data
-  const k = c * CONTACT
-  if (!(predict(scene, c, false, h) || (d[k + POINTS] > 1 && predict(scene, c, true, h)))) return
+function enterImpact(impacts: Impacts, scene: Scene, c: number): void {
+  if (!foresee(scene, c)) return
+  let hits = true
   // Measured again at the time of impact until that time stands still.
-  let time = ahead.time
   for (let n = 0; n < 6; n++) {
-    measureAt(scene, c, time, h)
-    if (d[k + POINTS] === 0) return
-    let next = predict(scene, c, false, h) ? ahead.time : h
-    if (d[k + POINTS] > 1 && predict(scene, c, true, h)) next = Math.min(next, ahead.time)
-    const step = next - time
-    time = next
-    if (step < 1e-13 && step > -1e-13) break
+    const time = ahead.time
+    measureAt(scene, c, time)
+    hits = foresee(scene, c)
+    if (Math.abs(ahead.time - time) < 1e-13) break
   }
-  const goal1 = predict(scene, c, false, h) ? ahead.goal : -Infinity
-  if (goal1 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
-  const goal2 = d[k + POINTS] > 1 && predict(scene, c, true, h) ? ahead.goal : -Infinity
-  if (goal2 > -Infinity && ahead.speed > impacts.fastest) impacts.fastest = ahead.speed
-  if (goal1 > -Infinity || goal2 > -Infinity) enlist(impacts, scene, c, goal1, goal2, time, h)
+  if (!hits) return
+  impacts.fastest = Math.max(impacts.fastest, ahead.speed)
+  enlist(impacts, scene, c, ahead.time)
 }
 
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
+function resolve(impacts: Impacts, scene: Scene): void {
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
@@ -1588,38 +1597,37 @@ function resolve(impacts: Impacts, scene: ImpactScene, h: number): void {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
     const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest)
-    const passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
+    impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
       const c = impacts.list[i]
-      hit(state, d, contacts.pair, c, scene.friction)
+      hit(scene, c)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
-      if (change > passOn) {
-        spread(impacts, scene, contacts.pair[2 * c], passOn, h)
-        spread(impacts, scene, contacts.pair[2 * c + 1], passOn, h)
+      if (change > impacts.passOn) {
+        spread(impacts, scene, contacts.pair[2 * c])
+        spread(impacts, scene, contacts.pair[2 * c + 1])
       }
     }
     impacts.sweeps += impacts.count
     if (most < still && impacts.count === before) break
   }
-  keepEnergy(impacts, scene, h)
+  keepEnergy(impacts, scene)
   for (let n = 0; n < impacts.bodyCount; n++) {
     const i = impacts.bodies[n]
-    const s = i * STATE
-    const when = impacts.when[i]
-    const dx = (state[s + VX] - impacts.before[n * 3]) * when
-    const dy = (state[s + VY] - impacts.before[n * 3 + 1]) * when
-    const by = (state[s + SPIN] - impacts.before[n * 3 + 2]) * when
-    state[s + X] -= dx
-    state[s + Y] -= dy
-    state[s + ANGLE] -= by
+    for (let axis = 0; axis < 3; axis++) {
+      const s = i * STATE + axis
+      state[s] -= (state[s + VX] - impacts.before[n * 3 + axis]) * impacts.when[i]
+    }
   }
 }
 
 /** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
-function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, friction: number): void {
+function hit(scene: Scene, c: number): void {
+  const { friction } = scene
+  const { data: d, pair } = scene.contacts
+  const s = scene.bodies.state
   const k = c * CONTACT
   const a = (pair[2 * c] & INDEX) * STATE
   const b = (pair[2 * c + 1] & INDEX) * STATE
@@ -1635,33 +1643,24 @@ function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, fric
   const vy = s[b + VY] - s[a + VY]
   let speed = nx * vx + ny * vy
   let normal = 0
+  let load = 0
   let change = 0
-  if (d[k + GOAL1] > -Infinity) {
-    const old = d[k + HIT1]
-    let p = old + (d[k + GOAL1] - speed - d[k + NB1] * spinB + d[k + NA1] * spinA) / d[k + K11]
-    if (p < 0) p = 0
-    d[k + HIT1] = p
-    p -= old
-    normal = p
-    speed += p * (ima + imb)
-    spinA -= iia * d[k + NA1] * p
-    spinB += iib * d[k + NB1] * p
-    change = Math.abs(p) * d[k + K11]
-  }
-  if (d[k + POINTS] > 1 && d[k + GOAL2] > -Infinity) {
-    const old = d[k + HIT2]
-    let p = old + (d[k + GOAL2] - speed - d[k + NB2] * spinB + d[k + NA2] * spinA) / d[k + K22]
-    if (p < 0) p = 0
-    d[k + HIT2] = p
-    p -= old
-    normal += p
-    spinA -= iia * d[k + NA2] * p
-    spinB += iib * d[k + NB2] * p
-    change = Math.max(change, Math.abs(p) * d[k + K22])
+  for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
+    if (d[p + GOAL] === -Infinity) continue
+    const old = d[p + HIT]
+    const now = Math.max(0, old + (d[p + GOAL] - speed - d[p + NB] * spinB + d[p + NA] * spinA) / d[p + K])
+    d[p + HIT] = now
+    const by = now - old
+    load += now
+    normal += by
+    speed += by * (ima + imb)
+    spinA -= iia * d[p + NA] * by
+    spinB += iib * d[p + NB] * by
+    change = Math.max(change, Math.abs(by) * d[p + K])
   }
   const ta = d[k + TA]
   const tb = d[k + TB]
-  const limit = friction * (d[k + HIT1] + d[k + HIT2])
+  const limit = friction * load
   const old = d[k + HIT_T]
   let t = old + d[k + MASS_T] * (d[k + GOAL_T] - nx * vy + ny * vx - tb * spinB + ta * spinA)
   t = t > limit ? limit : Math.max(t, -limit)
@@ -1678,37 +1677,31 @@ function hit(s: Float64Array, d: Float64Array, pair: Int32Array, c: number, fric
   s[b + SPIN] = spinB + iib * tb * t
 }
 
-/** Takes up the contacts of body `i` that touch and now approach by `from` px/s: they stop dead, they don't bounce. */
-function spread(impacts: Impacts, scene: ImpactScene, i: number, from: number, h: number): void {
+/** Takes up the contacts of body `i` that touch and now approach by `passOn`: they stop dead, they don't bounce. */
+function spread(impacts: Impacts, scene: Scene, i: number): void {
   if (i === 0) return
   const { bodies, contacts } = scene
-  const d = contacts.data
-  const s = bodies.state
+  const { data: d, pair } = contacts
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const c = edge >> 1
     const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0 || contacts.mark[c] === impacts.phase) continue
-    const bodyA = contacts.pair[2 * c]
-    const bodyB = contacts.pair[2 * c + 1]
-    const a = bodyA * STATE
-    const b = bodyB * STATE
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    const speed = nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY])
-    const fast1 = speed + d[k + NB1] * s[b + SPIN] - d[k + NA1] * s[a + SPIN] < -from
-    const fast2 = points > 1 && speed + d[k + NB2] * s[b + SPIN] - d[k + NA2] * s[a + SPIN] < -from
-    if (!fast1 && !fast2) continue
-    const near1 = gapOf(bodies, contacts, c, false) < IMPACT_TOUCH
-    const near2 = points > 1 && gapOf(bodies, contacts, c, true) < IMPACT_TOUCH
-    if (!(fast1 && near1) && !(fast2 && near2)) continue
-    if (bodies.asleep[bodyA] === 1 || bodies.asleep[bodyB] === 1) continue
-    enlist(impacts, scene, c, near1 ? 0 : -Infinity, near2 ? 0 : -Infinity, impacts.when[i], h)
+    if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
+      continue
+    let struck = false
+    d[k + SECOND + GOAL] = -Infinity
+    for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
+      probe(bodies, contacts, c, p)
+      const near = touch[GAP_NOW] < IMPACT_TOUCH
+      d[p + GOAL] = near ? 0 : -Infinity
+      if (near && touch[RATE_NOW] < -impacts.passOn) struck = true
+    }
+    if (struck) enlist(impacts, scene, c, impacts.when[i])
   }
 }
 
 /** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
-function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
+function keepEnergy(impacts: Impacts, scene: Scene): void {
+  const h = scene.h
   const { state, motion } = scene.bodies
   let linear = 0
   let square = 0
@@ -1747,16 +1740,16 @@ function keepEnergy(impacts: Impacts, scene: ImpactScene, h: number): void {
  * Those that move are marked as stirred for the sweep with number `round`.
  */
 function kick(
-  bodies: Bodies,
+  scene: Scene,
   list: Int32Array,
   from: number,
   to: number,
-  gravity: number,
   air: Air,
   spinAir: Air,
   round: number,
 ): void {
-  const { state, motion, shape, stirred } = bodies
+  const { state, motion, shape, stirred } = scene.bodies
+  const gravity = scene.gravity
   const half = 0.5 * air.h
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -1791,21 +1784,19 @@ function kick(
  * returns where they end. With `again`, a contact whose bodies stood still in the last sub-step is left as it is.
  */
 function prepare(
-  scene: ImpactScene,
+  scene: Scene,
   impacts: Impacts,
   list: Int32Array,
   live: Int32Array,
   from: number,
   to: number,
-  h: number,
-  again: boolean,
 ): number {
-  const { bodies, contacts } = scene
+  const { bodies, contacts, h } = scene
   const d = contacts.data
   const s = bodies.state
-  const { shape, moved } = bodies
+  const { motion, shape, moved } = bodies
   const pair = contacts.pair
-  const ahead = 1.25 * h
+  const ahead = AHEAD * h
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   for (let n = from; n < to; n++) {
@@ -1813,58 +1804,69 @@ function prepare(
     const k = c * CONTACT
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    let touching = d[k + POINTS] > 0
-    if (again && moved[bodyA] === 0 && moved[bodyB] === 0) {
-      if (touching) live[end++] = c
-      continue
-    }
+    const touching = d[k + POINTS] > 0
+    const ma = bodyA * MOTION
+    const mb = bodyB * MOTION
+    if (touching) {
+      if (moved[bodyA] + moved[bodyB] === 0 && d[k + DUE] > -Infinity) {
+        live[end++] = c
+        continue
+      }
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
-    const coreA = shape[bodyA * SHAPE + CORE]
-    const coreB = shape[bodyB * SHAPE + CORE]
-    const shift =
-      Math.abs(s[b + X] - s[a + X] - d[k + FROM_X]) +
-      Math.abs(s[b + Y] - s[a + Y] - d[k + FROM_Y]) +
-      coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
-      coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
     const vx = s[b + VX] - s[a + VX]
     const vy = s[b + VY] - s[a + VY]
     const spinA = s[a + SPIN]
     const spinB = s[b + SPIN]
-    if (!touching || shift > (bodyA > 0 ? REFRESH : WALL_REFRESH)) {
+    const travel = motion[ma + TRAVEL] + motion[mb + TRAVEL]
+    if (!touching || travel > d[k + DUE]) {
+      const coreA = shape[bodyA * SHAPE + CORE]
+      const coreB = shape[bodyB * SHAPE + CORE]
+      const shift =
+        Math.abs(s[b + X] - s[a + X] - d[k + FROM_X]) +
+        Math.abs(s[b + Y] - s[a + Y] - d[k + FROM_Y]) +
+        coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
+        coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
         MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
-      if (!touching && d[k + CLEAR] - shift > near) continue
-      touch.margin = near
-      touch.ahead = h
-      measure(bodies, contacts, scene.walls, c)
-      touch.ahead = 0
-      contacts.measured++
-      touching = touch.count > 0
-      if (!touching) continue
+      const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
+      const spare = touching ? loose - shift : d[k + CLEAR] - shift
+      // Where the two move alike, less of their travel counts.
+      d[k + DUE] = travel + spare
+      if (touching ? spare < 0 : spare < near) {
+        touch[WIDEST] = near
+        touch[LEAD] = h
+        measure(bodies, contacts, scene.walls, c)
+        touch[LEAD] = 0
+        contacts.measured++
+        if (touch[COUNT] > 0) d[k + DUE] = travel + loose
+        else d[k + DUE] = travel + touch[DISTANCE]
+      }
+      if (d[k + POINTS] === 0) continue
     }
     live[end++] = c
-    if (d[k + LOAD1] + d[k + LOAD2] === 0) {
+    if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
       // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
       const speed = d[k + NX] * vx + d[k + NY] * vy + enough
       if (
-        speed + d[k + NB1] * spinB - d[k + NA1] * spinA < 0 ||
-        (d[k + POINTS] > 1 && speed + d[k + NB2] * spinB - d[k + NA2] * spinA < 0)
+        speed + d[k + NB] * spinB - d[k + NA] * spinA < 0 ||
+        (d[k + POINTS] > 1 && speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA < 0)
       ) {
-        enterImpact(impacts, scene, c, h)
+        enterImpact(impacts, scene, c)
         if (d[k + POINTS] === 0) {
           end--
           continue
         }
       }
     }
-    close(scene, c, h)
+    close(scene, c)
   }
   if (impacts.count === 0) return end
-  resolve(impacts, scene, h)
+  resolve(impacts, scene)
   for (let n = 0; n < impacts.bodyCount; n++) {
     for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1, h)
+      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
     }
   }
   return end
@@ -1874,9 +1876,9 @@ function prepare(
  * How fast the gaps of contact `c` may close in the coming sub-step; one that carries a load closes slowly: less chatter.
  * Overlap that the last move has left is taken out of the poses in passing.
  */
-function close(scene: ImpactScene, c: number, h: number): void {
-  const { bodies, contacts } = scene
-  const s = bodies.state
+function close(scene: Scene, c: number): void {
+  const { bodies, contacts, h } = scene
+  const { state: s, motion: m } = bodies
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
   const bodyA = contacts.pair[2 * c] & INDEX
@@ -1886,53 +1888,37 @@ function close(scene: ImpactScene, c: number, h: number): void {
   const nx = d[k + NX]
   const ny = d[k + NY]
   const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-  const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-  const gap2 =
-    d[k + POINTS] > 1 ? d[k + BASE2] + across + d[k + NB2] * s[b + ANGLE] - d[k + NA2] * s[a + ANGLE] : 0
-  let closing1 = 0
-  let closing2 = 0
-  if (gap1 > 0 || gap2 > 0) {
-    const l1 = d[k + LOAD1]
-    const l2 = d[k + LOAD2]
-    if (gap1 > 0) closing1 = (l1 > 0 ? CLOSING * gap1 : gap1) / h
-    if (gap2 > 0) closing2 = (l2 > 0 ? CLOSING * gap2 : gap2) / h
-    if (l1 + l2 === 0) {
-      // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
-      const m = bodies.motion
-      const ma = bodyA * MOTION
-      const mb = bodyB * MOTION
-      const fall = bodyA > 0 ? 0 : scene.gravity * h
-      const gain =
-        nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-        ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) +
-        d[k + NB1] * m[mb + PUSH_SPIN] -
-        d[k + NA1] * m[ma + PUSH_SPIN]
-      if (gap1 > 0) closing1 -= 0.5 * gain
-      if (gap2 > 0) closing2 -= 0.5 * gain
+  const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
+    const gap = d[p + BASE] + across + d[p + NB] * s[b + ANGLE] - d[p + NA] * s[a + ANGLE]
+    let closing = 0
+    if (gap > 0) {
+      closing = (d[p + LOAD] > 0 ? CLOSING_SHARE * gap : gap) / h
+      if (!loaded) {
+        // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
+        const ma = bodyA * MOTION
+        const mb = bodyB * MOTION
+        closing -=
+          0.5 *
+          (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+            ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
+            d[k + NB] * m[mb + PUSH_SPIN] -
+            d[k + NA] * m[ma + PUSH_SPIN])
+      }
     }
+    d[p + CLOSING] = closing
+    if (gap < -SLOP) part(scene, c, p, true)
   }
-  d[k + CLOSING1] = closing1
-  d[k + CLOSING2] = closing2
-  if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, h)
-  if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, h)
 }
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
  * complementarity problem, by cases), then friction in the interval ±μ·load. Returns how many contacts
- * it changed by more than `tolerance`, px/s. Visits the contacts with a body that moves, or that was stirred by as much in this round or
+ * it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
  * the last.
  */
-function sweep(
-  bodies: Bodies,
-  contacts: Contacts,
-  list: Int32Array,
-  from: number,
-  to: number,
-  friction: number,
-  tolerance: number,
-  round: number,
-): number {
+function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
+  const { bodies, contacts, friction, tolerance } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -1946,6 +1932,7 @@ function sweep(
     if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
     contacts.rows++
     const k = c * CONTACT
+    const k2 = k + SECOND
     const a = bodyA * STATE
     const b = bodyB * STATE
     const nx = d[k + NX]
@@ -1955,31 +1942,31 @@ function sweep(
     const vx = s[b + VX] - s[a + VX]
     const vy = s[b + VY] - s[a + VY]
     const speed = nx * vx + ny * vy
-    const na1 = d[k + NA1]
-    const nb1 = d[k + NB1]
-    const l1 = d[k + LOAD1]
-    const w1 = speed + nb1 * spinB - na1 * spinA + d[k + CLOSING1]
+    const na1 = d[k + NA]
+    const nb1 = d[k + NB]
+    const l1 = d[k + LOAD]
+    const w1 = speed + nb1 * spinB - na1 * spinA + d[k + CLOSING]
     let load: number
     let normal: number
     let change: number
     if (d[k + POINTS] === 1) {
       // ½(x + |x|) is max(0, x) without a branch, which nobody could predict here.
-      load = l1 - w1 * d[k + MASS1]
+      load = l1 - w1 * d[k + MASS]
       load = 0.5 * (load + Math.abs(load))
       normal = load - l1
       if (normal === 0 && load === 0) continue
-      change = Math.abs(normal) * d[k + K11]
-      d[k + LOAD1] = load
+      change = Math.abs(normal) * d[k + K]
+      d[k + LOAD] = load
       spinA -= s[a + INV_INERTIA] * na1 * normal
       spinB += s[b + INV_INERTIA] * nb1 * normal
     } else {
-      const na2 = d[k + NA2]
-      const nb2 = d[k + NB2]
-      const l2 = d[k + LOAD2]
-      const w2 = speed + nb2 * spinB - na2 * spinA + d[k + CLOSING2]
-      const k11 = d[k + K11]
+      const na2 = d[k2 + NA]
+      const nb2 = d[k2 + NB]
+      const l2 = d[k2 + LOAD]
+      const w2 = speed + nb2 * spinB - na2 * spinA + d[k2 + CLOSING]
+      const k11 = d[k + K]
       const k12 = d[k + K12]
-      const k22 = d[k + K22]
+      const k22 = d[k2 + K]
       const det = d[k + INV_DET]
       // Velocities that zero impulses would leave: q + K·p ≥ 0 with p ≥ 0, one of each zero.
       const q1 = w1 - k11 * l1 - k12 * l2
@@ -1991,24 +1978,24 @@ function sweep(
         p2 = det * (k12 * q1 - k11 * q2)
       } else {
         // The two points are nearly one: they take turns.
-        p1 = l1 - w1 * d[k + MASS1]
+        p1 = l1 - w1 * d[k + MASS]
         if (p1 < 0) p1 = 0
-        p2 = l2 - (w2 + k12 * (p1 - l1)) * d[k + MASS2]
+        p2 = l2 - (w2 + k12 * (p1 - l1)) * d[k2 + MASS]
         if (p2 < 0) p2 = 0
       }
       if (p1 < 0 || p2 < 0) {
-        p1 = -q1 * d[k + MASS1]
+        p1 = -q1 * d[k + MASS]
         p2 = 0
         if (p1 < 0 || q2 + k12 * p1 < 0) {
           p1 = 0
-          p2 = -q2 * d[k + MASS2]
+          p2 = -q2 * d[k2 + MASS]
           if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
         }
       }
       load = p1 + p2
       if (load === 0 && l1 + l2 === 0) continue
-      d[k + LOAD1] = p1
-      d[k + LOAD2] = p2
+      d[k + LOAD] = p1
+      d[k2 + LOAD] = p2
       p1 -= l1
       p2 -= l2
       normal = p1 + p2
@@ -2021,52 +2008,68 @@ function sweep(
       stirred[bodyB] = round
       stirs++
     }
-    const ta = d[k + TA]
-    const tb = d[k + TB]
-    const old = d[k + DRAG]
-    const limit = friction * load
-    let t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
-    if (t > limit) t = limit
-    else if (t < -limit) t = -limit
-    d[k + DRAG] = t
-    t -= old
+    let t = 0
+    if (friction > 0) {
+      const ta = d[k + TA]
+      const tb = d[k + TB]
+      const old = d[k + DRAG]
+      const limit = friction * load
+      t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      if (t > limit) t = limit
+      else if (t < -limit) t = -limit
+      d[k + DRAG] = t
+      t -= old
+      spinA -= s[a + INV_INERTIA] * ta * t
+      spinB += s[b + INV_INERTIA] * tb * t
+    }
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
     s[a + VX] -= ima * x
     s[a + VY] -= ima * y
-    s[a + SPIN] = spinA - s[a + INV_INERTIA] * ta * t
+    s[a + SPIN] = spinA
     s[b + VX] += imb * x
     s[b + VY] += imb * y
-    s[b + SPIN] = spinB + s[b + INV_INERTIA] * tb * t
+    s[b + SPIN] = spinB
   }
   return stirs
 }
 
-/** Moves the bodies `list[from..to)` through the sub-step, and keeps what the sweep changed as the next warm start. */
-function move(bodies: Bodies, list: Int32Array, from: number, to: number, h: number): void {
-  const { state, motion, shape, moved } = bodies
+/**
+ * Moves the bodies `list[from..to)` through the sub-step, and keeps what the sweep changed as the next warm start.
+ * Returns how many of them move, or gain speed by what the warm start and gravity give.
+ */
+function move(scene: Scene, list: Int32Array, from: number, to: number): number {
+  const { state, motion, shape } = scene.bodies
+  const { gravity, h } = scene
+  let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
     const s = i * STATE
     const m = i * MOTION
-    const dvx = state[s + VX] - motion[m + KICK_X]
-    const dvy = state[s + VY] - motion[m + KICK_Y]
-    const dSpin = state[s + SPIN] - motion[m + KICK_SPIN]
-    motion[m + PUSH_X] += dvx
-    motion[m + PUSH_Y] += dvy
+    const vx = state[s + VX]
+    const vy = state[s + VY]
+    const spin = state[s + SPIN]
+    const dvx = vx - motion[m + KICK_X]
+    const dvy = vy - motion[m + KICK_Y]
+    const dSpin = spin - motion[m + KICK_SPIN]
+    const pushX = motion[m + PUSH_X] + dvx
+    const pushY = motion[m + PUSH_Y] + dvy
+    motion[m + PUSH_X] = pushX
+    motion[m + PUSH_Y] = pushY
     motion[m + PUSH_SPIN] += dSpin
-    const dx = motion[m + DRIFT_X] + h * dvx
-    const dy = motion[m + DRIFT_Y] + h * dvy
-    const by = motion[m + DRIFT_ANGLE] + h * dSpin
-    state[s + X] += dx
-    state[s + Y] += dy
-    state[s + ANGLE] += by
-    const way = Math.abs(dx) + Math.abs(dy) + shape[i * SHAPE + CORE] * Math.abs(by)
-    moved[i] = moved[i] === PUSHED || way > STANDING ? 1 : 0
+    state[s + X] += motion[m + DRIFT_X] + h * dvx
+    state[s + Y] += motion[m + DRIFT_Y] + h * dvy
+    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
+    if (
+      Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin) > BALANCE ||
+      Math.abs(pushX) + Math.abs(pushY + gravity * h) > BALANCE
+    )
+      active++
     capSpeed(state, s)
   }
+  return active
 }
 
 /** Nothing moves faster than the cap, so that no margin is ever too small. */
@@ -2081,64 +2084,34 @@ function capSpeed(state: Float64Array, s: number): void {
   }
 }
 
-/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal, unless they part by themselves within `h` s. */
-function part(
-  bodies: Bodies,
-  d: Float64Array,
-  k: number,
-  a: number,
-  b: number,
-  gap: number,
-  point: number,
-  h: number,
-): void {
+/** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
+function part(scene: Scene, c: number, p: number, lazy: boolean): void {
+  const { bodies, contacts } = scene
+  probe(bodies, contacts, c, p)
+  const gap = touch[GAP_NOW] + SLOP
+  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return
   const s = bodies.state
-  const nx = d[k + NX]
-  const ny = d[k + NY]
-  const na = point === 0 ? d[k + NA1] : d[k + NA2]
-  const nb = point === 0 ? d[k + NB1] : d[k + NB2]
-  const leaving =
-    nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
-  if (gap + leaving * h > -SLOP) return
-  const p = Math.min(PUSH * (-SLOP - gap), MAX_PUSH) * (point === 0 ? d[k + MASS1] : d[k + MASS2])
-  const pa = s[a + INV_MASS] * p
-  const pb = s[b + INV_MASS] * p
-  s[a + X] -= nx * pa
-  s[a + Y] -= ny * pa
-  s[a + ANGLE] -= s[a + INV_INERTIA] * na * p
-  s[b + X] += nx * pb
-  s[b + Y] += ny * pb
-  s[b + ANGLE] += s[b + INV_INERTIA] * nb * p
-  bodies.moved[a / STATE] = PUSHED
-  bodies.moved[b / STATE] = PUSHED
+  const d = contacts.data
+  const k = c * CONTACT
+  const a = contacts.pair[2 * c] * STATE
+  const b = contacts.pair[2 * c + 1] * STATE
+  const push = Math.min(-PUSH * gap, MAX_PUSH) * d[p + MASS]
+  const pa = s[a + INV_MASS] * push
+  const pb = s[b + INV_MASS] * push
+  s[a + X] -= d[k + NX] * pa
+  s[a + Y] -= d[k + NY] * pa
+  s[a + ANGLE] -= s[a + INV_INERTIA] * d[p + NA] * push
+  s[b + X] += d[k + NX] * pb
+  s[b + Y] += d[k + NY] * pb
+  s[b + ANGLE] += s[b + INV_INERTIA] * d[p + NB] * push
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
-function separate(bodies: Bodies, contacts: Contacts, list: Int32Array, from: number, to: number): void {
-  const s = bodies.state
-  const d = contacts.data
-  const pair = contacts.pair
+function separate(scene: Scene, list: Int32Array, from: number, to: number): void {
+  const d = scene.contacts.data
   for (let i = from; i < to; i++) {
-    const c = list[i] & INDEX
-    const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0) continue
-    const a = (pair[2 * c] & INDEX) * STATE
-    const b = (pair[2 * c + 1] & INDEX) * STATE
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-    const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-    if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, 0)
-    if (points > 1) {
-      const gap2 =
-        d[k + BASE2] +
-        nx * (s[b + X] - s[a + X]) +
-        ny * (s[b + Y] - s[a + Y]) +
-        d[k + NB2] * s[b + ANGLE] -
-        d[k + NA2] * s[a + ANGLE]
-      if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, 0)
-    }
+    const k = list[i] * CONTACT
+    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) part(scene, list[i], p, false)
   }
 }
 
@@ -2217,24 +2190,17 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
  * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
  * to the list and returns its new length.
  */
-function findIslands(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-): void {
+function findIslands(islands: Islands, scene: Scene, awake: Int32Array, count: number): void {
   const { parent, reach } = islands
+  const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
   islands.nearCount = 0
-  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
+  gather(islands, scene, awake, count, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
+  gather(islands, scene, awake, count, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -2251,7 +2217,7 @@ function findIslands(
   bodyStart[0] = 0
   contactStart[0] = 0
   for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
-  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, contacts.pair[2 * near[n] + 1])] + 1]++
+  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, pair[2 * near[n] + 1])] + 1]++
   for (let n = 0; n < islandCount; n++) {
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
@@ -2266,7 +2232,7 @@ function findIslands(
     islands.bodies[--bodyStart[island + 1]] = awake[n]
   }
   for (let n = nearCount - 1; n >= 0; n--) {
-    const island = number[find(parent, contacts.pair[2 * near[n] + 1])]
+    const island = number[find(parent, pair[2 * near[n] + 1])]
     islands.contacts[--contactStart[island + 1]] = near[n]
   }
   // Each start now stands one place to the right.
@@ -2282,19 +2248,11 @@ function findIslands(
  * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
  * may go as far as the fastest approach in its island.
  */
-function gather(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-  again: boolean,
-): void {
+function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number, again: boolean): void {
+  const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, next, pair } = contacts
-  const { state: s, shape, asleep } = bodies
+  const { state: s, motion, shape, asleep } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
@@ -2322,19 +2280,25 @@ function gather(
           const root = j > 0 ? find(parent, j) : 0
           may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
         }
+        const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
+        if (d[k + DUE] - travel > may) continue
         const sign = (edge & 1) === 0 ? 1 : -1
         const shift =
           Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
           Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
           coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
           coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
-        if (d[k + CLEAR] - shift > may) continue
-        // Measured again only where that bound has grown loose.
+        if (d[k + CLEAR] - shift > may) {
+          d[k + DUE] = travel + d[k + CLEAR] - shift
+          continue
+        }
+        // Measured again only where that bound has grown loose, and for the gap alone.
         if (!(shift < LOOSE)) {
-          touch.margin = MARGIN
+          touch[WIDEST] = -Infinity
           measure(bodies, contacts, walls, c)
           contacts.measured++
-          if (touch.gap > may) continue
+          d[k + DUE] = travel + touch[DISTANCE]
+          if (touch[DISTANCE] > may) continue
         }
       }
       mark[c] = -1
@@ -2352,14 +2316,8 @@ function gather(
  * Counts how long each awake body has kept its place, then puts to sleep every group that carries each other and of
  * which all have done so for `REST_TIME`. Returns the bodies that stay awake, at the front of `awake`.
  */
-function rest(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  held: Uint8Array,
-  awake: Int32Array,
-  count: number,
-): number {
+function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Array, count: number): number {
+  const { bodies, contacts, gravity } = scene
   const { state, shape } = bodies
   const { parent } = islands
   const still = bodies.rest
@@ -2384,19 +2342,24 @@ function rest(
   }
   if (!ready) return count
 
-  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least.
+  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least. Nothing
+  // rests on nothing, unless it floats.
   const least = islands.reach
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    parent[i] = i
-    least[i] = -still[i * 4 + 3]
+    parent[awake[n]] = awake[n]
+    least[awake[n]] = gravity === 0 ? -still[awake[n] * 4 + 3] : 0
   }
-  for (let n = 0; n < islands.nearCount; n++) {
-    const c = islands.near[n]
-    const a = contacts.pair[2 * c]
-    const b = contacts.pair[2 * c + 1]
-    if (a > 0 && contacts.data[c * CONTACT + LOAD1] + contacts.data[c * CONTACT + LOAD2] > 0)
-      unite(parent, least, a, b)
+  for (let again = 0; again < 2; again++) {
+    for (let n = 0; n < islands.nearCount; n++) {
+      const c = islands.near[n]
+      const a = contacts.pair[2 * c]
+      const b = contacts.pair[2 * c + 1]
+      if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+      if (again === 0) {
+        least[a] = -still[a * 4 + 3]
+        least[b] = -still[b * 4 + 3]
+      } else if (a > 0) unite(parent, least, a, b)
+    }
   }
   let left = 0
   for (let n = 0; n < count; n++) {
@@ -2683,7 +2646,11 @@ function createWorld(options: WorldOptions) {
   const islands = createIslands()
   const impacts = createImpacts()
   const walls = { width: size(options.width), height: size(options.height) }
+  const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
+  const h = STEP / substeps
   const scene = {
+    h,
+    tolerance: TOLERANCE_LEAST,
     bodies,
     contacts,
     walls,
@@ -2710,6 +2677,7 @@ function createWorld(options: WorldOptions) {
     hits: 0,
     rows: 0,
   }
+  const pose: Float64Array = new Float64Array(3)
   let densities: Float64Array = new Float64Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
@@ -2754,7 +2722,7 @@ function createWorld(options: WorldOptions) {
       for (let edge = contacts.head[awake[n]]; edge >= 0; edge = contacts.next[edge]) {
         const j = contacts.pair[edge ^ 1]
         const k = (edge >> 1) * CONTACT
-        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD1] + contacts.data[k + LOAD2] > 0)
+        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
           rouse(j)
       }
     }
@@ -2794,13 +2762,13 @@ function createWorld(options: WorldOptions) {
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (gapBound(bodies, contacts, c) > go + MARGIN) continue
-        touch.margin = MARGIN
+        touch[WIDEST] = MARGIN
         measure(bodies, contacts, walls, c)
         contacts.measured++
         if (
           contacts.data[k + POINTS] === 0
-            ? touch.gap < go
-            : touch.gap < -4 * SLOP || closing(c) > IMPACT_SPREAD
+            ? touch[DISTANCE] < go
+            : touch[DISTANCE] < -4 * SLOP || closing(c) > IMPACT_SPREAD
         )
           wake(j)
       }
@@ -2830,9 +2798,10 @@ function createWorld(options: WorldOptions) {
       before[i * 3 + 1] = state[i * STATE + Y]
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
+    tally(bodies, awake, 0, awakeCount, AHEAD * h)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
-    findIslands(islands, bodies, contacts, walls, scene.gravity, awake, awakeCount)
+    findIslands(islands, scene, awake, awakeCount)
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
       const b1 = islands.bodyStart[n + 1]
@@ -2845,7 +2814,7 @@ function createWorld(options: WorldOptions) {
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
-    if (options.sleep !== false) awakeCount = rest(islands, bodies, contacts, held, awake, awakeCount)
+    if (options.sleep !== false) awakeCount = rest(islands, scene, held, awake, awakeCount)
   }
 
   /** A body alone in the air: the whole step in closed form. */
@@ -2870,10 +2839,8 @@ function createWorld(options: WorldOptions) {
     const live = islands.live
     let end = c0
     const speed = fastest(b0, b1)
-    const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-    const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
     const sweeps =
@@ -2886,23 +2853,24 @@ function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
-      end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
+      if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+      end = prepare(scene, impacts, islands.contacts, live, c0, c1)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
+      kick(scene, islands.bodies, b0, b1, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
         for (const hold of grabbed) {
           solveHold(bodies, hold)
           bodies.stirred[hold.body] = round + k - 1
         }
-        stirs = sweep(bodies, contacts, live, c0, end, scene.friction, tolerance, round + k)
+        stirs = sweep(scene, live, c0, end, round + k)
         stats.sweeps++
       }
-      move(bodies, islands.bodies, b0, b1, h)
+      const active = move(scene, islands.bodies, b0, b1)
       stats.substeps++
-      if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
+      if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    separate(bodies, contacts, live, c0, end)
+    separate(scene, live, c0, end)
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
@@ -2926,25 +2894,6 @@ function createWorld(options: WorldOptions) {
     if (x === state[s + X] && y === state[s + Y]) return
     state[s + X] = x
     state[s + Y] = y
-    bodies.moved[i] = PUSHED
-  }
-
-  /** Whether no body of an island moves or gains speed. */
-  function inBalance(b0: number, b1: number, h: number): boolean {
-    const { state, motion, shape } = bodies
-    for (let n = b0; n < b1; n++) {
-      const i = islands.bodies[n]
-      const s = i * STATE
-      const m = i * MOTION
-      const speed =
-        Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-      if (speed > BALANCE) return false
-      if (Math.abs(motion[m + PUSH_X]) + Math.abs(motion[m + PUSH_Y] + scene.gravity * h) > BALANCE)
-        return false
-    }
-    return true
   }
 
   /** px/s, speed of the fastest point of the bodies of an island. */
@@ -2985,11 +2934,11 @@ function createWorld(options: WorldOptions) {
       const c = islands.contacts[n]
       const k = c * CONTACT
       d[k + LAG] = 0
-      if (d[k + POINTS] > 0 && d[k + LOAD1] + d[k + LOAD2] > 0) {
+      if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
         if (d[k + RATE] !== substeps) {
           const scale = d[k + RATE] / substeps
-          d[k + LOAD1] *= scale
-          d[k + LOAD2] *= scale
+          d[k + LOAD] *= scale
+          d[k + SECOND + LOAD] *= scale
           d[k + DRAG] *= scale
         }
         carry(bodies, contacts, c, 1)
@@ -3017,7 +2966,13 @@ function createWorld(options: WorldOptions) {
       const s = i * STATE
       densities[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
-      setPose(bodies, i, finite(body.x), finite(body.y), finite(body.angle))
+      setPose(
+        bodies,
+        i,
+        within(body.x, -FAR, FAR, 0),
+        within(body.y, -FAR, FAR, 0),
+        within(body.angle, -FAR, FAR, 0),
+      )
       bodies.state[s + VX] = finite(body.vx)
       bodies.state[s + VY] = finite(body.vy)
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
@@ -3055,9 +3010,9 @@ function createWorld(options: WorldOptions) {
       setPose(
         bodies,
         id,
-        finite(motion.x, state[s + X]),
-        finite(motion.y, state[s + Y]),
-        finite(motion.angle, state[s + ANGLE]),
+        within(motion.x, -FAR, FAR, state[s + X]),
+        within(motion.y, -FAR, FAR, state[s + Y]),
+        within(motion.angle, -FAR, FAR, state[s + ANGLE]),
       )
       state[s + VX] = finite(motion.vx, state[s + VX])
       state[s + VY] = finite(motion.vy, state[s + VY])
@@ -3142,8 +3097,8 @@ function createWorld(options: WorldOptions) {
       const hold = createHold(
         bodies,
         id,
-        within(x, -1e6, 1e6, bodies.state[id * STATE + X]),
-        within(y, -1e6, 1e6, bodies.state[id * STATE + Y]),
+        within(x, -FAR, FAR, bodies.state[id * STATE + X]),
+        within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
       disturb(id)
       held[id]++
@@ -3151,7 +3106,7 @@ function createWorld(options: WorldOptions) {
       return {
         moveTo(toX, toY, seconds) {
           const when = within(seconds, -1e12, 1e12, 0)
-          recordHold(hold, within(toX, -1e6, 1e6, hold.x), within(toY, -1e6, 1e6, hold.y), when)
+          recordHold(hold, within(toX, -FAR, FAR, hold.x), within(toY, -FAR, FAR, hold.y), when)
         },
         release() {
           const n = holds.indexOf(hold)
@@ -3163,28 +3118,25 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Calls back with the pose to draw of every body that has moved since the last call. */
-    eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
+    /** What the world is made of, for tools that draw it. */
+    scene,
+
+    /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
+    pose,
+
+    /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
+    eachMoved(visit: (id: number, asleep: boolean) => void): void {
       const share = Math.min(1, Math.max(0, left / STEP))
       const { state, before } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
-        const s = i * STATE
-        if (bodies.asleep[i] === 1) {
-          undrawn[i] = 0
-          visit(i, state[s + X], state[s + Y], state[s + ANGLE], true)
-        } else {
-          const x = before[i * 3]
-          const y = before[i * 3 + 1]
-          const angle = before[i * 3 + 2]
-          visit(
-            i,
-            x + share * (state[s + X] - x),
-            y + share * (state[s + Y] - y),
-            angle + share * (state[s + ANGLE] - angle),
-            false,
-          )
+        undrawn[i] = 1 - bodies.asleep[i]
+        for (let axis = 0; axis < 3; axis++) {
+          const now = state[i * STATE + axis]
+          const then = before[i * 3 + axis]
+          pose[axis] = undrawn[i] > 0 ? then + share * (now - then) : now
         }
+        visit(i, undrawn[i] === 0)
       }
     },
 
@@ -3211,9 +3163,10 @@ function createWorld(options: WorldOptions) {
     undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
+      contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
       contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD1] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD2] = 0
+      contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
+      contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
       contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
     }
   }
@@ -3235,6 +3188,9 @@ function createWorld(options: WorldOptions) {
   }
 }
 
+/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+const FAR = 1e6
+
 function finite(value: number | undefined, otherwise = 0): number {
   return value !== undefined && value - value === 0 ? value : otherwise
 }
@@ -3250,7 +3206,7 @@ function positive(value: number | undefined, otherwise: number): number {
 
 /** px; a size below 1 px, or none, counts as 1 px. */
 function size(value: number): number {
-  return Math.max(1, Math.min(1e6, finite(value)))
+  return Math.max(1, Math.min(FAR, finite(value)))
 }
 
 // drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
@@ -3618,8 +3574,9 @@ function createStage(root: HTMLElement): Stage {
     slot = Math.max(slot, clock)
     chip.due = releaseTime(chip.turn, slot)
     slot += options.stagger / 1000
-    queue.push(chip)
-    queue.sort((a, b) => a.due - b.due)
+    let place = queue.length
+    while (place > 0 && queue[place - 1]!.due > chip.due) place--
+    queue.splice(place, 0, chip)
   }
 
   function withdraw(chip: Chip) {
@@ -3635,7 +3592,8 @@ function createStage(root: HTMLElement): Stage {
     for (const other of chips.values()) {
       if (other.id < 0) continue
       const { x, y } = world!.read(other.id)
-      obstacles.push({ x, y, reach: Math.hypot(other.width, other.height) / 2 })
+      const reach = Math.hypot(other.width, other.height) / 2
+      if (y < reach) obstacles.push({ x, y, reach })
     }
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     const { radius } = chip
@@ -3664,11 +3622,15 @@ function createStage(root: HTMLElement): Stage {
     advance(Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    sync()
+    if (world!.resting) sync()
   }
 
-  function paint(id: number, x: number, y: number, angle: number, asleep: boolean) {
+  function paint(id: number, asleep: boolean) {
     const chip = bodies[id]!
+    const { pose } = world!
+    const x = pose[0]!
+    const y = pose[1]!
+    const angle = pose[2]!
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = angle - chip.angle
@@ -3693,6 +3655,8 @@ function createStage(root: HTMLElement): Stage {
     if (chip.state === next) return
     chip.state = next
     chip.element.setAttribute('data-state', next)
+    // It waits out of sight, where its class puts it.
+    if (next === 'waiting') chip.element.style.transform = ''
   }
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
@@ -3982,7 +3946,7 @@ function createStage(root: HTMLElement): Stage {
       root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {
         mark(chip, 'waiting')
-        chip.element.style.transform = chip.element.style.zIndex = ''
+        chip.element.style.zIndex = ''
       }
     },
   }
@@ -4103,7 +4067,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
 
   const chip = cn(
     'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-    'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
+    'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
     'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
     'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
     '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',

@@ -2,14 +2,15 @@ import { describe, expect, it } from 'vitest'
 import { massOf } from '../../scenes/references'
 import { seeded } from '../../scenes/seeded'
 import {
+  ANGLE,
   air,
   COS,
   createBodies,
-  direction,
   INV_INERTIA,
   INV_MASS,
   MAX_DAMPING,
   MOTION,
+  orient,
   reserveBodies,
   SIN,
   STATE,
@@ -94,27 +95,33 @@ describe('mass and inertia', () => {
   })
 })
 
-describe('direction', () => {
+describe('orient', () => {
   it('is cosine and sine to 1e-15 all the way round', () => {
-    const out = { cos: 0, sin: 0 }
+    const { state, motion } = createBodies()
     let worst = 0
     for (let i = 0; i <= 100_000; i++) {
       const angle = -Math.PI + (2 * Math.PI * i) / 100_000
-      direction(angle, out)
-      worst = Math.max(worst, Math.abs(out.cos - Math.cos(angle)), Math.abs(out.sin - Math.sin(angle)))
+      state[ANGLE] = angle
+      orient(state, motion, 0)
+      worst = Math.max(
+        worst,
+        Math.abs(motion[COS] - Math.cos(angle)),
+        Math.abs(motion[SIN] - Math.sin(angle)),
+      )
     }
     expect(worst).toBeLessThanOrEqual(1e-15)
   })
 
   it('loses no more than the angle itself has lost after hundreds of turns', () => {
-    const out = { cos: 0, sin: 0 }
+    const { state, motion } = createBodies()
     const random = seeded(2)
     for (let i = 0; i < 10_000; i++) {
       const angle = 4000 * (random() - 0.5)
-      direction(angle, out)
+      state[ANGLE] = angle
+      orient(state, motion, 0)
       const rounding = 1e-15 + 2.3e-16 * Math.abs(angle)
-      expect(Math.abs(out.cos - Math.cos(angle))).toBeLessThan(rounding)
-      expect(Math.abs(out.sin - Math.sin(angle))).toBeLessThan(rounding)
+      expect(Math.abs(motion[COS] - Math.cos(angle))).toBeLessThan(rounding)
+      expect(Math.abs(motion[SIN] - Math.sin(angle))).toBeLessThan(rounding)
     }
   })
 })

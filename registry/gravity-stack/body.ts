@@ -1,4 +1,4 @@
-import { STEP } from './constants'
+import { STANDING, STEP } from './constants'
 
 /**
  * Bodies live in flat arrays, one record each. Body 0 is the stage itself: it has no inverse mass and never moves,
@@ -41,7 +41,14 @@ export const DRIFT_ANGLE = 8
 export const COS = 9
 export const SIN = 10
 export const TURNED = 11
-export const MOTION = 12
+/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and the pose up to which it counts. */
+export const TRAVEL = 12
+export const SEEN_X = 13
+export const SEEN_Y = 14
+export const SEEN_ANGLE = 15
+/** px, where that way will stand after the coming sub-step at the present speed. */
+export const HORIZON = 16
+export const MOTION = 17
 
 // Record of `shape`.
 export const HX = 0
@@ -54,8 +61,6 @@ export const CORE = 4
 /** 1 / px², inverse square of that distance; 0 for a disc. */
 export const INV_CORE2 = 5
 export const SHAPE = 6
-
-export const PUSHED = 2
 
 export interface Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
@@ -72,7 +77,7 @@ export interface Bodies {
   asleep: Uint8Array
   /** Number of the last sweep that changed the body's velocity. */
   stirred: Int32Array
-  /** 1 if the last sub-step moved the body noticeably, `PUSHED` if a push did since. */
+  /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array
 }
 
@@ -153,8 +158,9 @@ export function setShape(
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }
 
-/** cos and sin of `angle` by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
-export function direction(angle: number, out: { cos: number; sin: number }): void {
+/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
+export function orient(state: Float64Array, motion: Float64Array, i: number): void {
+  const angle = state[i * STATE + ANGLE]
   const quarter = Math.round(angle / (Math.PI / 2))
   // At most 0.79 rad from the nearest quarter turn: the series is short there.
   const a = angle - quarter * (Math.PI / 2)
@@ -176,23 +182,19 @@ export function direction(angle: number, out: { cos: number; sin: number }): voi
               (1 - (aa / 56) * (1 - (aa / 90) * (1 - (aa / 132) * (1 - (aa / 182) * (1 - aa / 240)))))))
   const odd = quarter % 2 !== 0
   const back = quarter - 4 * Math.floor(quarter / 4)
-  out.cos = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
-  out.sin = (odd ? cos : sin) * (back > 1 ? -1 : 1)
+  const m = i * MOTION
+  motion[m + COS] = (odd ? sin : cos) * (back === 1 || back === 2 ? -1 : 1)
+  motion[m + SIN] = (odd ? cos : sin) * (back > 1 ? -1 : 1)
+  motion[m + TURNED] = angle
 }
-
-const heading = { cos: 1, sin: 0 }
 
 /** Puts body `i` at a pose with a velocity, as if it had always been there. */
 export function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number): void {
   const s = i * STATE
-  const m = i * MOTION
   bodies.state[s + X] = x
   bodies.state[s + Y] = y
   bodies.state[s + ANGLE] = angle
-  direction(angle, heading)
-  bodies.motion[m + COS] = heading.cos
-  bodies.motion[m + SIN] = heading.sin
-  bodies.motion[m + TURNED] = angle
+  orient(bodies.state, bodies.motion, i)
   bodies.before.set([x, y, angle], i * 3)
   bodies.rest.set([x, y, angle, 0], i * 4)
 }
@@ -206,11 +208,8 @@ export function turn(state: Float64Array, motion: Float64Array, i: number): void
   const angle = state[i * STATE + ANGLE]
   const by = angle - motion[m + TURNED]
   if (by === 0) return
-  if (by > 0.3 || by < -0.3) {
-    direction(angle, heading)
-    motion[m + COS] = heading.cos
-    motion[m + SIN] = heading.sin
-  } else {
+  if (by > 0.3 || by < -0.3) orient(state, motion, i)
+  else {
     const bb = by * by
     const t = by * (0.5 + bb * (1 / 24 + bb * (1 / 240 + bb * (17 / 40320))))
     const k = 2 / (1 + t * t)
@@ -224,6 +223,35 @@ export function turn(state: Float64Array, motion: Float64Array, i: number): void
     motion[m + SIN] = s * fix
   }
   motion[m + TURNED] = angle
+}
+
+/** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
+export function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
+  const { state, motion, shape, moved } = bodies
+  for (let n = from; n < to; n++) {
+    const i = list[n] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
+    const x = state[s + X]
+    const y = state[s + Y]
+    const angle = state[s + ANGLE]
+    const core = shape[i * SHAPE + CORE]
+    const way =
+      Math.abs(x - motion[m + SEEN_X]) +
+      Math.abs(y - motion[m + SEEN_Y]) +
+      core * Math.abs(angle - motion[m + SEEN_ANGLE])
+    moved[i] = 0
+    if (way > STANDING) {
+      moved[i] = 1
+      motion[m + TRAVEL] += way
+      motion[m + SEEN_X] = x
+      motion[m + SEEN_Y] = y
+      motion[m + SEEN_ANGLE] = angle
+    }
+    motion[m + HORIZON] =
+      motion[m + TRAVEL] +
+      ahead * (Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + core * Math.abs(state[s + SPIN]))
+  }
 }
 
 /** What air does to a body in a time `h`: v ← fade·v + g·reach, x ← x + reach·v + g·fall. Exact for any h. */

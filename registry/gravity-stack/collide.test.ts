@@ -2,7 +2,22 @@ import { describe, expect, it } from 'vitest'
 import { chipDistance, cornerRadius, type Pose, type Shape, stageDistance } from '../../scenes/exact-distance'
 import { seeded } from '../../scenes/seeded'
 import { createBodies, reserveBodies, setPose, setShape } from './body'
-import { AX, AY, BX, BY, collide, collideWall, GAP, POINT, touch } from './collide'
+import {
+  AX,
+  AY,
+  BX,
+  BY,
+  COUNT,
+  collide,
+  collideWall,
+  DISTANCE,
+  GAP,
+  NORMAL_X,
+  NORMAL_Y,
+  POINT,
+  touch,
+  WIDEST,
+} from './collide'
 
 const bodies = createBodies()
 reserveBodies(bodies, 3)
@@ -16,21 +31,20 @@ function put(i: number, shape: Shape, pose: Pose) {
 function contact(a: Shape, poseA: Pose, b: Shape, poseB: Pose, margin = Infinity) {
   put(1, a, poseA)
   put(2, b, poseB)
-  touch.margin = margin
+  touch[WIDEST] = margin
   collide(bodies, 1, 2)
   return seen(poseA, poseB)
 }
 
 function seen(poseA: Pose, poseB: Pose) {
-  const p = touch.points
   return {
-    gap: touch.gap,
-    nx: touch.nx,
-    ny: touch.ny,
-    points: Array.from({ length: touch.count }, (_, k) => ({
-      onA: { x: poseA.x + p[k * POINT + AX], y: poseA.y + p[k * POINT + AY] },
-      onB: { x: poseB.x + p[k * POINT + BX], y: poseB.y + p[k * POINT + BY] },
-      gap: p[k * POINT + GAP],
+    gap: touch[DISTANCE],
+    nx: touch[NORMAL_X],
+    ny: touch[NORMAL_Y],
+    points: Array.from({ length: touch[COUNT] }, (_, k) => ({
+      onA: { x: poseA.x + touch[k * POINT + AX], y: poseA.y + touch[k * POINT + AY] },
+      onB: { x: poseB.x + touch[k * POINT + BX], y: poseB.y + touch[k * POINT + BY] },
+      gap: touch[k * POINT + GAP],
     })),
   }
 }
@@ -234,7 +248,7 @@ describe('a chip and a wall', () => {
       put(1, shape, pose)
       const want = stageDistance(shape, pose, stage)
       names.forEach((name, wall) => {
-        touch.margin = Infinity
+        touch[WIDEST] = Infinity
         collideWall(bodies, stage, 1, wall + 1)
         const [nx, ny] = normals[name]
         const { gap, points, ...normal } = seen({ x: 0, y: 0, angle: 0 }, pose)
@@ -256,7 +270,7 @@ describe('a chip and a wall', () => {
 
   it('touch at the two ends of a side that lies flat, at one point of a disc', () => {
     const flat = { x: 300, y: 685.2, angle: 0 }
-    touch.margin = 0.5
+    touch[WIDEST] = 0.5
     put(1, { width: 80, height: 30, radius: 15 }, flat)
     collideWall(bodies, stage, 1, 1)
     const { points } = seen({ x: 0, y: 0, angle: 0 }, flat)
@@ -265,10 +279,10 @@ describe('a chip and a wall', () => {
 
     put(1, { width: 30, height: 30, radius: 15 }, flat)
     collideWall(bodies, stage, 1, 1)
-    expect(touch.count).toBe(1)
+    expect(touch[COUNT]).toBe(1)
 
     put(1, { width: 80, height: 30, radius: 15 }, { ...flat, y: 684 })
     collideWall(bodies, stage, 1, 1)
-    expect(touch.count).toBe(0)
+    expect(touch[COUNT]).toBe(0)
   })
 })

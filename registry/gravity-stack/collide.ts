@@ -5,20 +5,11 @@ import { type Bodies, COS, HX, HY, INV_CORE2, MOTION, RADIUS, SHAPE, SIN, STATE,
  *
  * The normal points from A to B. Each point lies on both surfaces: its arms are given from each body's own centre to
  * its own surface, its separation along the normal is negative where they overlap. Its feature says which corner made it.
+ *
+ * In and out through arrays: numbers handed over as arguments would be boxed.
  */
-export const touch = {
-  count: 0,
-  /** px, the widest gap that still makes a contact point; to be set before a call. */
-  margin: 0,
-  /** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
-  ahead: 0,
-  /** px, distance of the shapes; a lower bound of it when it is more than the margin. */
-  gap: 0,
-  nx: 0,
-  ny: 0,
-  /** px; from the centre of A to its surface, of B to its surface, separation, feature. */
-  points: new Float64Array(2 * 6) as Float64Array,
-}
+export const touch: Float64Array = new Float64Array(20)
+/** px; from the centre of A to its surface, of B to its surface, separation, feature; then the same of a second point. */
 export const AX = 0
 export const AY = 1
 export const BX = 2
@@ -26,46 +17,44 @@ export const BY = 3
 export const GAP = 4
 export const FEATURE = 5
 export const POINT = 6
+export const NORMAL_X = 12
+export const NORMAL_Y = 13
+/** Points made. */
+export const COUNT = 14
+/** px, distance of the shapes; a lower bound of it when it is more than the widest. */
+export const DISTANCE = 15
+/** px, the widest gap that still makes a contact point; to be set before a call. */
+export const WIDEST = 16
+/** s, how far ahead a chip's rotation is taken when it meets a wall; to be set before a call. */
+export const LEAD = 17
+/** px and px/s, gap of a point and the rate at which it opens, left by `probe`. */
+export const GAP_NOW = 18
+export const RATE_NOW = 19
 
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
 
-/**
- * Adds a point: (px, py) on the core of A from A's centre, (qx, qy) on the core of B from B's centre.
- * The radii follow in `finish`.
- */
-function addPoint(px: number, py: number, qx: number, qy: number, gap: number, feature: number): void {
-  const k = touch.count * POINT
-  const p = touch.points
-  p[k + AX] = px
-  p[k + AY] = py
-  p[k + BX] = qx
-  p[k + BY] = qy
-  p[k + GAP] = gap
-  p[k + FEATURE] = feature
-  touch.count++
-}
-
 /** Moves the points from the cores to the surfaces. */
-function finish(ra: number, rb: number): void {
-  const p = touch.points
-  for (let k = 0; k < touch.count * POINT; k += POINT) {
-    p[k + AX] += ra * touch.nx
-    p[k + AY] += ra * touch.ny
-    p[k + BX] -= rb * touch.nx
-    p[k + BY] -= rb * touch.ny
+function finish(shape: Float64Array, a: number, b: number): void {
+  const ra = shape[a * SHAPE + RADIUS]
+  const rb = shape[b * SHAPE + RADIUS]
+  for (let k = 0; k < touch[COUNT] * POINT; k += POINT) {
+    touch[k + AX] += ra * touch[NORMAL_X]
+    touch[k + AY] += ra * touch[NORMAL_Y]
+    touch[k + BX] -= rb * touch[NORMAL_X]
+    touch[k + BY] -= rb * touch[NORMAL_Y]
   }
 }
 
 /**
- * Distance of the shapes of bodies `a` and `b` in `touch.gap`, and their contact points where these are at most
- * `touch.margin` apart. Exact for rounded boxes of any size.
+ * Distance of the shapes of bodies `a` and `b` in `touch`, and their contact points where these are at most
+ * `WIDEST` apart. Exact for rounded boxes of any size.
  */
 export function collide(bodies: Bodies, a: number, b: number): void {
   const shape = bodies.shape
   const sa = a * SHAPE
   const sb = b * SHAPE
-  touch.count = 0
+  touch[COUNT] = 0
   turn(bodies.state, bodies.motion, a)
   turn(bodies.state, bodies.motion, b)
   if ((shape[sa + HX] === 0 || shape[sa + HY] === 0) && (shape[sb + HX] === 0 || shape[sb + HY] === 0)) {
@@ -75,7 +64,6 @@ export function collide(bodies: Bodies, a: number, b: number): void {
 
 /**
  * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
- * In and out through one array: numbers handed over as arguments would be boxed.
  */
 const line: Float64Array = new Float64Array(10)
 const PX = 0
@@ -146,8 +134,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
   const square = nx * nx + ny * ny
   const distance = Math.sqrt(square)
   const gap = distance - radii
-  touch.gap = gap
-  if (gap > touch.margin) return
+  touch[DISTANCE] = gap
+  if (gap > touch[WIDEST]) return
   const uu = ux * ux + uy * uy
   const vv = vx * vx + vy * vy
   // The normal stands on the segment whose inside is nearest: the reference; the other one is cut to its length.
@@ -175,8 +163,8 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     nx *= inverse
     ny *= inverse
   }
-  touch.nx = nx
-  touch.ny = ny
+  touch[NORMAL_X] = nx
+  touch[NORMAL_Y] = ny
   if (uu > 0 && vv > 0 && (onA || onB)) {
     const rx = onA ? ux : vx
     const ry = onA ? uy : vy
@@ -213,17 +201,31 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
         const qy = oy + way * at * iy
         const apart = sign * (qx * nx + qy * ny) - radii
         if (apart < least) least = apart
-        if (apart > touch.margin) continue
+        if (apart > touch[WIDEST]) continue
         const along = mid + at * size
-        const feature = k === 0 ? loFeature : hiFeature
-        if (onA) addPoint(along * rx, along * ry, qx - ox, qy - oy, apart, feature)
-        else addPoint(qx - ox, qy - oy, along * rx, along * ry, apart, feature)
+        const p = touch[COUNT]++ * POINT
+        const mine = p + (onA ? AX : BX)
+        const its = p + (onA ? BX : AX)
+        touch[mine] = along * rx
+        touch[mine + 1] = along * ry
+        touch[its] = qx - ox
+        touch[its + 1] = qy - oy
+        touch[p + GAP] = apart
+        touch[p + FEATURE] = k === 0 ? loFeature : hiFeature
       }
-      if (crossed) touch.gap = least
+      if (crossed) touch[DISTANCE] = least
     }
   }
-  if (touch.count === 0) addPoint(s * ux, s * uy, t * vx, t * vy, gap, onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0)
-  finish(shape[a * SHAPE + RADIUS], shape[b * SHAPE + RADIUS])
+  if (touch[COUNT] === 0) {
+    touch[COUNT] = 1
+    touch[AX] = s * ux
+    touch[AY] = s * uy
+    touch[BX] = t * vx
+    touch[BY] = t * vy
+    touch[GAP] = gap
+    touch[FEATURE] = onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0
+  }
+  finish(shape, a, b)
 }
 
 /** Two rounded boxes, or one and a pill or disc: separating axes of the cores, then the features that face each other. */
@@ -279,8 +281,8 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
       axis = 3
     }
   }
-  touch.gap = best - radii
-  if (touch.gap > touch.margin) return
+  touch[DISTANCE] = best - radii
+  if (touch[DISTANCE] > touch[WIDEST]) return
 
   // Reference R with the face, incident I with the side that faces it most; everything from R's centre.
   const onA = axis < 2
@@ -337,6 +339,8 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
   const own = onA ? 0 : 4
   const other = onA ? 4 : 0
   const face = onX ? 0 : 2
+  const mine = onA ? AX : BX
+  const its = onA ? BX : AX
 
   // Where the cores are apart the closest features may be two corners.
   if (best > 0) {
@@ -361,23 +365,25 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
       // Two corners only if the line between them leaves the face: else the face's own normal is the same.
       if (distance > best + 1e-9) {
         const gap = distance - radii
-        touch.gap = gap
-        if (gap > touch.margin) return
-        touch.nx = (sign * dx) / distance
-        touch.ny = (sign * dy) / distance
-        const qx = mx + ex * t - ox
-        const qy = my + ey * t - oy
-        const feature = own + (s > 0 ? 1 : 0)
-        if (onA) addPoint(rx, ry, qx, qy, gap, feature)
-        else addPoint(qx, qy, rx, ry, gap, feature)
-        finish(ra, rb)
+        touch[DISTANCE] = gap
+        if (gap > touch[WIDEST]) return
+        touch[NORMAL_X] = (sign * dx) / distance
+        touch[NORMAL_Y] = (sign * dy) / distance
+        touch[COUNT] = 1
+        touch[mine] = rx
+        touch[mine + 1] = ry
+        touch[its] = mx + ex * t - ox
+        touch[its + 1] = my + ey * t - oy
+        touch[GAP] = gap
+        touch[FEATURE] = own + (s > 0 ? 1 : 0)
+        finish(shape, a, b)
         return
       }
     }
   }
 
-  touch.nx = sign * fx
-  touch.ny = sign * fy
+  touch[NORMAL_X] = sign * fx
+  touch[NORMAL_Y] = sign * fy
   const mid = mx * gx + my * gy
   const span = ex * gx + ey * gy
   let lo = -1
@@ -411,15 +417,17 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
     const apart = fx * qx + fy * qy - depth
     const gap = apart - radii
     if (gap < least) least = gap
-    if (gap > touch.margin) continue
-    const feature = k === 0 ? loFeature : hiFeature
-    const rx = qx - fx * apart
-    const ry = qy - fy * apart
-    if (onA) addPoint(rx, ry, qx - ox, qy - oy, gap, feature)
-    else addPoint(qx - ox, qy - oy, rx, ry, gap, feature)
+    if (gap > touch[WIDEST]) continue
+    const p = touch[COUNT]++ * POINT
+    touch[p + mine] = qx - fx * apart
+    touch[p + mine + 1] = qy - fy * apart
+    touch[p + its] = qx - ox
+    touch[p + its + 1] = qy - oy
+    touch[p + GAP] = gap
+    touch[p + FEATURE] = k === 0 ? loFeature : hiFeature
   }
-  touch.gap = least
-  finish(ra, rb)
+  touch[DISTANCE] = least
+  finish(shape, a, b)
 }
 
 /** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
@@ -439,9 +447,10 @@ export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: numbe
   const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
   const ny = wall === 1 ? -1 : 0
   const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
-  touch.count = 0
-  touch.nx = nx
-  touch.ny = ny
+  touch.fill(0, 0, NORMAL_X)
+  touch[COUNT] = 0
+  touch[NORMAL_X] = nx
+  touch[NORMAL_Y] = ny
   const c = motion[b * MOTION + COS]
   const s = motion[b * MOTION + SIN]
   const hx = shape[b * SHAPE + HX]
@@ -453,18 +462,26 @@ export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: numbe
   const deepX = lx > 0 ? -lx * hx : lx * hx
   const deepY = ly > 0 ? -ly * hy : ly * hy
   const gap = nx * state[b * STATE + X] + ny * state[b * STATE + Y] - offset - r + deepX + deepY
-  touch.gap = gap
-  if (gap > touch.margin) return
+  touch[DISTANCE] = gap
+  if (gap > touch[WIDEST]) return
   let x = lx > 0 ? -hx : hx
   let y = ly > 0 ? -hy : hy
-  addPoint(0, 0, c * x - s * y, s * x + c * y, gap, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+  touch[COUNT] = 1
+  touch[BX] = c * x - s * y
+  touch[BY] = s * x + c * y
+  touch[GAP] = gap
+  touch[FEATURE] = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)
   // The other end of the lower side.
   const flipX = hx > 0 && (hy === 0 || deepX > deepY)
   const rise = gap - 2 * (flipX ? deepX : deepY)
-  if ((flipX ? hx : hy) > 0 && rise <= touch.margin) {
+  if ((flipX ? hx : hy) > 0 && rise <= touch[WIDEST]) {
     if (flipX) x = -x
     else y = -y
-    addPoint(0, 0, c * x - s * y, s * x + c * y, rise, (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0))
+    touch[COUNT] = 2
+    touch[POINT + BX] = c * x - s * y
+    touch[POINT + BY] = s * x + c * y
+    touch[POINT + GAP] = rise
+    touch[POINT + FEATURE] = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)
   }
-  finish(0, r)
+  finish(shape, 0, b)
 }

@@ -49,16 +49,18 @@ export const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */
 export const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
-export const CLOSING = 0.1
+export const CLOSING_SHARE = 0.1
 /** px, gap below which a pair is handed to the solver before it touches. */
 export const MARGIN = 0.5
+/** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
+export const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
 export const REFRESH = 0.6
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2
-/** px; a chip that moved less in a sub-step leaves its contacts as they are until the next step. */
-export const STANDING = 0.001
+/** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
+export const STANDING = 0.0005
 /** px by which a broad-phase box is larger than its chip. */
 export const SKIN = 8
 

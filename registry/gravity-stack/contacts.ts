@@ -13,10 +13,31 @@ import {
   SHAPE,
   SPIN,
   STATE,
+  VX,
+  VY,
   X,
   Y,
 } from './body'
-import { AX, AY, BX, BY, collide, collideWall, FEATURE, GAP, POINT, touch, type Walls } from './collide'
+import {
+  AX,
+  AY,
+  BX,
+  BY,
+  COUNT,
+  collide,
+  collideWall,
+  DISTANCE,
+  FEATURE,
+  GAP,
+  GAP_NOW,
+  LEAD,
+  NORMAL_X,
+  NORMAL_Y,
+  POINT,
+  RATE_NOW,
+  touch,
+  type Walls,
+} from './collide'
 
 /**
  * Pairs that may touch, and their manifolds: up to two points that share a normal. A pair keeps its slot, and its
@@ -30,31 +51,27 @@ export const NX = 0
 export const NY = 1
 /** 0: apart, no manifold; 1 or 2 points. */
 export const POINTS = 2
-export const NA1 = 3
-export const NB1 = 4
-/** Accumulated impulses of a sub-step: normal of each point, friction. */
-export const LOAD1 = 5
-/** px/s at which a gap may close in the sub-step. */
-export const CLOSING1 = 6
-/** Inverse effective mass along the normal, its inverse; those of point 2, their coupling, and 1 / det K, 0 where the two are nearly one. */
-export const K11 = 7
-export const MASS1 = 8
+/** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
+export const NA = 3
+export const NB = 4
+/** Accumulated impulse of a sub-step. */
+export const LOAD = 5
+/** px/s at which the gap may close in the sub-step. */
+export const CLOSING = 6
+/** Inverse effective mass along the normal, and its inverse. */
+export const K = 7
+export const MASS = 8
+/** px, gap at the origin of the poses. */
+export const BASE = 9
+export const SECOND = 7
+/** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
+export const K12 = 17
+export const INV_DET = 18
 /** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-export const TA = 9
-export const TB = 10
-export const DRAG = 11
-export const MASS_T = 12
-export const NA2 = 13
-export const NB2 = 14
-export const LOAD2 = 15
-export const CLOSING2 = 16
-export const K22 = 17
-export const MASS2 = 18
-export const K12 = 19
-export const INV_DET = 20
-/** Gap of each point at the origin of the poses. */
-export const BASE1 = 21
-export const BASE2 = 22
+export const TA = 19
+export const TB = 20
+export const DRAG = 21
+export const MASS_T = 22
 /** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
 export const CLEAR = 23
 export const FROM_X = 24
@@ -65,14 +82,15 @@ export const FROM_B = 27
 export const RATE = 28
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 export const LAG = 29
-/** Impact: wanted velocities along both normals and the tangent, impulses, last change of a normal velocity, px/s. */
-export const GOAL1 = 30
-export const GOAL2 = 31
+/** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
+export const GOAL = 30
+export const HIT = 31
 export const GOAL_T = 32
-export const HIT1 = 33
-export const HIT2 = 34
-export const HIT_T = 35
-export const CHANGE = 36
+export const HIT_T = 33
+/** px/s, last change of a normal velocity. */
+export const CHANGE = 34
+/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
+export const DUE = 35
 export const CONTACT = 40
 
 export interface Contacts {
@@ -96,6 +114,23 @@ export interface Contacts {
   measured: number
   /** Rows visited by sweeps. */
   rows: number
+}
+
+/** What a world is made of, and what it is like there. */
+export interface Scene {
+  bodies: Bodies
+  contacts: Contacts
+  walls: Walls
+  /** px/s² downwards. */
+  gravity: number
+  bounce: number
+  friction: number
+  /** px/s of approach below which nothing bounces. */
+  threshold: number
+  /** s, length of a sub-step. */
+  h: number
+  /** px/s, change of a velocity that the sweeps of the present island leave alone. */
+  tolerance: number
 }
 
 export function createContacts(): Contacts {
@@ -160,6 +195,7 @@ export function addContact(contacts: Contacts, a: number, b: number, wall: numbe
   contacts.wall[c] = wall
   contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
   contacts.data[c * CONTACT + CLEAR] = -Infinity
+  contacts.data[c * CONTACT + DUE] = -Infinity
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c
@@ -179,8 +215,8 @@ export function removeContact(contacts: Contacts, c: number): void {
 export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): void {
   const d = contacts.data
   const k = c * CONTACT
-  const l1 = sign * d[k + LOAD1]
-  const l2 = sign * d[k + LOAD2]
+  const l1 = sign * d[k + LOAD]
+  const l2 = sign * d[k + SECOND + LOAD]
   const lt = sign * d[k + DRAG]
   const nx = d[k + NX]
   const ny = d[k + NY]
@@ -196,16 +232,17 @@ export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: numbe
   motion[ma + PUSH_X] -= ima * x
   motion[ma + PUSH_Y] -= ima * y
   motion[ma + PUSH_SPIN] -=
-    state[a * STATE + INV_INERTIA] * (d[k + NA1] * l1 + d[k + NA2] * l2 + d[k + TA] * lt)
+    state[a * STATE + INV_INERTIA] * (d[k + NA] * l1 + d[k + SECOND + NA] * l2 + d[k + TA] * lt)
   motion[mb + PUSH_X] += imb * x
   motion[mb + PUSH_Y] += imb * y
   motion[mb + PUSH_SPIN] +=
-    state[b * STATE + INV_INERTIA] * (d[k + NB1] * l1 + d[k + NB2] * l2 + d[k + TB] * lt) + sign * d[k + LAG]
+    state[b * STATE + INV_INERTIA] * (d[k + NB] * l1 + d[k + SECOND + NB] * l2 + d[k + TB] * lt) +
+    sign * d[k + LAG]
 }
 
 /**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
- * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch.gap`.
+ * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
 export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
   const a = contacts.pair[2 * c] & INDEX
@@ -214,7 +251,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
-  const turned = a > 0 ? 0 : touch.ahead * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
+  const turned = a > 0 ? 0 : touch[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
   if (a > 0) collide(bodies, a, b)
   else {
     state[b * STATE + ANGLE] = angleB + turned
@@ -224,92 +261,95 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const loaded = had > 0 && d[k + LOAD1] + d[k + LOAD2] > 0
-  const torque = had > 0 ? d[k + NB1] * d[k + LOAD1] + d[k + NB2] * d[k + LOAD2] + d[k + TB] * d[k + DRAG] : 0
+  const loaded = had > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  const torque =
+    had > 0
+      ? d[k + NB] * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + d[k + TB] * d[k + DRAG]
+      : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
-  d[k + CLEAR] = touch.gap
+  d[k + CLEAR] = touch[DISTANCE]
   d[k + FROM_X] = dx
   d[k + FROM_Y] = dy
   d[k + FROM_A] = angleA
   d[k + FROM_B] = angleB
-  d[k + POINTS] = touch.count
-  if (touch.count === 0) {
-    d[k + LOAD1] = 0
-    d[k + LOAD2] = 0
+  d[k + POINTS] = touch[COUNT]
+  d[k + DUE] = -Infinity
+  if (touch[COUNT] === 0) {
+    d[k + LOAD] = 0
+    d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
-    d[k + NA2] = 0
-    d[k + NB2] = 0
+    d[k + SECOND + NA] = 0
+    d[k + SECOND + NB] = 0
     return
   }
 
   // Impulses by feature.
-  const points = touch.points
-  const f1 = points[FEATURE]
-  const f2 = touch.count > 1 ? points[POINT + FEATURE] : -1
+  const f1 = touch[FEATURE]
+  const f2 = touch[COUNT] > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
   if (loaded) {
-    const l1 = d[k + LOAD1]
-    const l2 = had > 1 ? d[k + LOAD2] : 0
-    if (touch.count === 1) {
-      d[k + LOAD1] = l1 + l2
-      d[k + LOAD2] = 0
+    const l1 = d[k + LOAD]
+    const l2 = had > 1 ? d[k + SECOND + LOAD] : 0
+    if (touch[COUNT] === 1) {
+      d[k + LOAD] = l1 + l2
+      d[k + SECOND + LOAD] = 0
     } else if (had === 1) {
       if (old1 === f2) {
-        d[k + LOAD1] = 0
-        d[k + LOAD2] = l1
+        d[k + LOAD] = 0
+        d[k + SECOND + LOAD] = l1
       } else if (old1 !== f1) {
-        d[k + LOAD1] = l1 / 2
-        d[k + LOAD2] = l1 / 2
-      } else d[k + LOAD2] = 0
+        d[k + LOAD] = l1 / 2
+        d[k + SECOND + LOAD] = l1 / 2
+      } else d[k + SECOND + LOAD] = 0
     } else if (old1 === f2 || old2 === f1) {
-      d[k + LOAD1] = l2
-      d[k + LOAD2] = l1
+      d[k + LOAD] = l2
+      d[k + SECOND + LOAD] = l1
     }
   } else {
-    d[k + LOAD1] = 0
-    d[k + LOAD2] = 0
+    d[k + LOAD] = 0
+    d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
   }
   contacts.feature[2 * c] = f1
   contacts.feature[2 * c + 1] = f2
 
-  const nx = touch.nx
-  const ny = touch.ny
+  const nx = touch[NORMAL_X]
+  const ny = touch[NORMAL_Y]
   const ima = state[a * STATE + INV_MASS]
   const imb = state[b * STATE + INV_MASS]
   const iia = state[a * STATE + INV_INERTIA]
   const iib = state[b * STATE + INV_INERTIA]
   const im = ima + imb
-  const na1 = points[AX] * ny - points[AY] * nx
-  const nb1 = points[BX] * ny - points[BY] * nx
-  let ta = points[AX] * nx + points[AY] * ny
-  let tb = points[BX] * nx + points[BY] * ny
+  const na1 = touch[AX] * ny - touch[AY] * nx
+  const nb1 = touch[BX] * ny - touch[BY] * nx
+  let ta = touch[AX] * nx + touch[AY] * ny
+  let tb = touch[BX] * nx + touch[BY] * ny
   const across = nx * dx + ny * dy
   d[k + NX] = nx
   d[k + NY] = ny
-  d[k + NA1] = na1
-  d[k + NB1] = nb1
-  d[k + BASE1] = points[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
+  d[k + NA] = na1
+  d[k + NB] = nb1
+  d[k + BASE] = touch[GAP] - across - nb1 * (angleB + turned) + na1 * angleA
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
-  d[k + K11] = k11
-  d[k + MASS1] = 1 / k11
-  if (touch.count > 1) {
-    const na2 = points[POINT + AX] * ny - points[POINT + AY] * nx
-    const nb2 = points[POINT + BX] * ny - points[POINT + BY] * nx
-    ta = (ta + points[POINT + AX] * nx + points[POINT + AY] * ny) / 2
-    tb = (tb + points[POINT + BX] * nx + points[POINT + BY] * ny) / 2
+  d[k + K] = k11
+  d[k + MASS] = 1 / k11
+  if (touch[COUNT] > 1) {
+    const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
+    const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
+    ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
+    tb = (tb + touch[POINT + BX] * nx + touch[POINT + BY] * ny) / 2
     const k22 = im + iia * na2 * na2 + iib * nb2 * nb2
     const k12 = im + iia * na1 * na2 + iib * nb1 * nb2
     const det = k11 * k22 - k12 * k12
-    d[k + NA2] = na2
-    d[k + NB2] = nb2
-    d[k + BASE2] = points[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
-    d[k + K22] = k22
-    d[k + MASS2] = 1 / k22
+    d[k + SECOND + NA] = na2
+    d[k + SECOND + NB] = nb2
+    d[k + SECOND + BASE] = touch[POINT + GAP] - across - nb2 * (angleB + turned) + na2 * angleA
+    d[k + SECOND + K] = k22
+    d[k + SECOND + MASS] = 1 / k22
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
@@ -318,25 +358,36 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
-    if (a === 0 && had === touch.count && f1 === old1) {
-      const now = nb1 * d[k + LOAD1] + (touch.count > 1 ? d[k + NB2] * d[k + LOAD2] : 0) + tb * d[k + DRAG]
+    if (a === 0 && had === touch[COUNT] && f1 === old1) {
+      const now =
+        nb1 * d[k + LOAD] +
+        (touch[COUNT] > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
+        tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)
   }
 }
 
-/** px, gap of point 1 (or of point 2 with `second`) at the present poses. */
-export function gapOf(bodies: Bodies, contacts: Contacts, c: number, second: boolean): number {
+/** Leaves in `touch` the gap (px) of the point of contact `c` with its record at `p`, and the rate (px/s) at which it opens. */
+export function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
   const d = contacts.data
-  const k = c * CONTACT
-  const sa = contacts.pair[2 * c] * STATE
-  const sb = contacts.pair[2 * c + 1] * STATE
+  const k = (c & INDEX) * CONTACT
+  const a = (contacts.pair[2 * c] & INDEX) * STATE
+  const b = (contacts.pair[2 * c + 1] & INDEX) * STATE
   const s = bodies.state
-  const across = d[k + NX] * (s[sb + X] - s[sa + X]) + d[k + NY] * (s[sb + Y] - s[sa + Y])
-  return second
-    ? d[k + BASE2] + across + d[k + NB2] * s[sb + ANGLE] - d[k + NA2] * s[sa + ANGLE]
-    : d[k + BASE1] + across + d[k + NB1] * s[sb + ANGLE] - d[k + NA1] * s[sa + ANGLE]
+  const nx = d[k + NX]
+  const ny = d[k + NY]
+  const na = d[p + NA]
+  const nb = d[p + NB]
+  touch[GAP_NOW] =
+    d[p + BASE] +
+    nx * (s[b + X] - s[a + X]) +
+    ny * (s[b + Y] - s[a + Y]) +
+    nb * s[b + ANGLE] -
+    na * s[a + ANGLE]
+  touch[RATE_NOW] =
+    nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
 /** px, bound of how much the gap of contact `c` may have changed since it was measured. */

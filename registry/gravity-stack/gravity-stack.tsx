@@ -115,7 +115,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
 
   const chip = cn(
     'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-    'data-[state=waiting]:top-auto data-[state=waiting]:bottom-[calc(100%+6rem)]',
+    'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
     'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
     'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
     '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',

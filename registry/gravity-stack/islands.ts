@@ -1,18 +1,19 @@
-import { ANGLE, type Bodies, CORE, EXTENT, grown, INDEX, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
-import { touch, type Walls } from './collide'
+import { ANGLE, CORE, EXTENT, grown, INDEX, MOTION, SHAPE, SPIN, STATE, TRAVEL, VX, VY, X, Y } from './body'
+import { DISTANCE, touch, WIDEST } from './collide'
 import { LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
 import {
   CLEAR,
   CONTACT,
-  type Contacts,
+  DUE,
   FROM_A,
   FROM_B,
   FROM_X,
   FROM_Y,
-  LOAD1,
-  LOAD2,
+  LOAD,
   measure,
   POINTS,
+  type Scene,
+  SECOND,
 } from './contacts'
 
 /**
@@ -88,24 +89,17 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
  * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
  * to the list and returns its new length.
  */
-export function findIslands(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-): void {
+export function findIslands(islands: Islands, scene: Scene, awake: Int32Array, count: number): void {
   const { parent, reach } = islands
+  const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
   islands.nearCount = 0
-  gather(islands, bodies, contacts, walls, gravity, awake, count, false)
+  gather(islands, scene, awake, count, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, bodies, contacts, walls, gravity, awake, count, true)
+  gather(islands, scene, awake, count, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -122,7 +116,7 @@ export function findIslands(
   bodyStart[0] = 0
   contactStart[0] = 0
   for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
-  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, contacts.pair[2 * near[n] + 1])] + 1]++
+  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, pair[2 * near[n] + 1])] + 1]++
   for (let n = 0; n < islandCount; n++) {
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
@@ -137,7 +131,7 @@ export function findIslands(
     islands.bodies[--bodyStart[island + 1]] = awake[n]
   }
   for (let n = nearCount - 1; n >= 0; n--) {
-    const island = number[find(parent, contacts.pair[2 * near[n] + 1])]
+    const island = number[find(parent, pair[2 * near[n] + 1])]
     islands.contacts[--contactStart[island + 1]] = near[n]
   }
   // Each start now stands one place to the right.
@@ -153,19 +147,11 @@ export function findIslands(
  * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
  * may go as far as the fastest approach in its island.
  */
-function gather(
-  islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-  again: boolean,
-): void {
+function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number, again: boolean): void {
+  const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, next, pair } = contacts
-  const { state: s, shape, asleep } = bodies
+  const { state: s, motion, shape, asleep } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
@@ -193,19 +179,25 @@ function gather(
           const root = j > 0 ? find(parent, j) : 0
           may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
         }
+        const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
+        if (d[k + DUE] - travel > may) continue
         const sign = (edge & 1) === 0 ? 1 : -1
         const shift =
           Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
           Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
           coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
           coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
-        if (d[k + CLEAR] - shift > may) continue
-        // Measured again only where that bound has grown loose.
+        if (d[k + CLEAR] - shift > may) {
+          d[k + DUE] = travel + d[k + CLEAR] - shift
+          continue
+        }
+        // Measured again only where that bound has grown loose, and for the gap alone.
         if (!(shift < LOOSE)) {
-          touch.margin = MARGIN
+          touch[WIDEST] = -Infinity
           measure(bodies, contacts, walls, c)
           contacts.measured++
-          if (touch.gap > may) continue
+          d[k + DUE] = travel + touch[DISTANCE]
+          if (touch[DISTANCE] > may) continue
         }
       }
       mark[c] = -1
@@ -225,12 +217,12 @@ function gather(
  */
 export function rest(
   islands: Islands,
-  bodies: Bodies,
-  contacts: Contacts,
+  scene: Scene,
   held: Uint8Array,
   awake: Int32Array,
   count: number,
 ): number {
+  const { bodies, contacts, gravity } = scene
   const { state, shape } = bodies
   const { parent } = islands
   const still = bodies.rest
@@ -255,19 +247,24 @@ export function rest(
   }
   if (!ready) return count
 
-  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least.
+  // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least. Nothing
+  // rests on nothing, unless it floats.
   const least = islands.reach
   for (let n = 0; n < count; n++) {
-    const i = awake[n]
-    parent[i] = i
-    least[i] = -still[i * 4 + 3]
+    parent[awake[n]] = awake[n]
+    least[awake[n]] = gravity === 0 ? -still[awake[n] * 4 + 3] : 0
   }
-  for (let n = 0; n < islands.nearCount; n++) {
-    const c = islands.near[n]
-    const a = contacts.pair[2 * c]
-    const b = contacts.pair[2 * c + 1]
-    if (a > 0 && contacts.data[c * CONTACT + LOAD1] + contacts.data[c * CONTACT + LOAD2] > 0)
-      unite(parent, least, a, b)
+  for (let again = 0; again < 2; again++) {
+    for (let n = 0; n < islands.nearCount; n++) {
+      const c = islands.near[n]
+      const a = contacts.pair[2 * c]
+      const b = contacts.pair[2 * c + 1]
+      if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+      if (again === 0) {
+        least[a] = -still[a * 4 + 3]
+        least[b] = -still[b * 4 + 3]
+      } else if (a > 0) unite(parent, least, a, b)
+    }
   }
   let left = 0
   for (let n = 0; n < count; n++) {

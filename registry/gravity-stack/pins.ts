@@ -11,7 +11,9 @@ export type Pin = { steps: number; hash: string }
 /** Runs a scene with sleep until all rest, for 10 s at most. */
 export function fingerprint(name: string, create: typeof createWorld): Pin {
   const scene = sceneNamed(name)
-  const world = create({ width: scene.width, height: scene.height, ...scene.conditions })
+  // In the air of a page: without, a disc may roll for a long while.
+  const air = { linearDamping: undefined, angularDamping: undefined }
+  const world = create({ width: scene.width, height: scene.height, ...scene.conditions, ...air })
   for (const chip of scene.build(1)) world.add(chip)
   let steps = 0
   while (!world.resting && steps < 600) {

@@ -1,12 +1,12 @@
 import {
   type Air,
   ANGLE,
-  type Bodies,
   CORE,
   DRIFT_ANGLE,
   DRIFT_X,
   DRIFT_Y,
   EXTENT,
+  HORIZON,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -17,78 +17,74 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
-  PUSHED,
   SHAPE,
   SPIN,
   STATE,
+  TRAVEL,
   VX,
   VY,
   X,
   Y,
 } from './body'
-import { touch } from './collide'
+import { COUNT, DISTANCE, GAP_NOW, LEAD, RATE_NOW, touch, WIDEST } from './collide'
 import {
+  AHEAD,
   BALANCE,
-  CLOSING,
+  CLOSING_SHARE,
   MARGIN,
   MAX_PUSH,
   MAX_SPEED,
   PUSH,
   REFRESH,
   SLOP,
-  STANDING,
   WALL_REFRESH,
 } from './constants'
 import {
-  BASE1,
-  BASE2,
+  BASE,
   CLEAR,
-  CLOSING1,
-  CLOSING2,
+  CLOSING,
   CONTACT,
-  type Contacts,
   DRAG,
+  DUE,
   FROM_A,
   FROM_B,
   FROM_X,
   FROM_Y,
   INV_DET,
-  K11,
+  K,
   K12,
-  K22,
-  LOAD1,
-  LOAD2,
+  LOAD,
+  MASS,
   MASS_T,
-  MASS1,
-  MASS2,
   measure,
-  NA1,
-  NA2,
-  NB1,
-  NB2,
+  NA,
+  NB,
   NX,
   NY,
   POINTS,
+  probe,
+  type Scene,
+  SECOND,
   TA,
   TB,
 } from './contacts'
-import { enterImpact, type ImpactScene, type Impacts, resolve } from './impacts'
+import { enterImpact, type Impacts, resolve } from './impacts'
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
  * Those that move are marked as stirred for the sweep with number `round`.
  */
 export function kick(
-  bodies: Bodies,
+  scene: Scene,
   list: Int32Array,
   from: number,
   to: number,
-  gravity: number,
   air: Air,
   spinAir: Air,
   round: number,
 ): void {
-  const { state, motion, shape, stirred } = bodies
+  const { state, motion, shape, stirred } = scene.bodies
+  const gravity = scene.gravity
   const half = 0.5 * air.h
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -123,21 +119,19 @@ export function kick(
  * returns where they end. With `again`, a contact whose bodies stood still in the last sub-step is left as it is.
  */
 export function prepare(
-  scene: ImpactScene,
+  scene: Scene,
   impacts: Impacts,
   list: Int32Array,
   live: Int32Array,
   from: number,
   to: number,
-  h: number,
-  again: boolean,
 ): number {
-  const { bodies, contacts } = scene
+  const { bodies, contacts, h } = scene
   const d = contacts.data
   const s = bodies.state
-  const { shape, moved } = bodies
+  const { motion, shape, moved } = bodies
   const pair = contacts.pair
-  const ahead = 1.25 * h
+  const ahead = AHEAD * h
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   for (let n = from; n < to; n++) {
@@ -145,58 +139,69 @@ export function prepare(
     const k = c * CONTACT
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    let touching = d[k + POINTS] > 0
-    if (again && moved[bodyA] === 0 && moved[bodyB] === 0) {
-      if (touching) live[end++] = c
-      continue
-    }
+    const touching = d[k + POINTS] > 0
+    const ma = bodyA * MOTION
+    const mb = bodyB * MOTION
+    if (touching) {
+      if (moved[bodyA] + moved[bodyB] === 0 && d[k + DUE] > -Infinity) {
+        live[end++] = c
+        continue
+      }
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
-    const coreA = shape[bodyA * SHAPE + CORE]
-    const coreB = shape[bodyB * SHAPE + CORE]
-    const shift =
-      Math.abs(s[b + X] - s[a + X] - d[k + FROM_X]) +
-      Math.abs(s[b + Y] - s[a + Y] - d[k + FROM_Y]) +
-      coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
-      coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
     const vx = s[b + VX] - s[a + VX]
     const vy = s[b + VY] - s[a + VY]
     const spinA = s[a + SPIN]
     const spinB = s[b + SPIN]
-    if (!touching || shift > (bodyA > 0 ? REFRESH : WALL_REFRESH)) {
+    const travel = motion[ma + TRAVEL] + motion[mb + TRAVEL]
+    if (!touching || travel > d[k + DUE]) {
+      const coreA = shape[bodyA * SHAPE + CORE]
+      const coreB = shape[bodyB * SHAPE + CORE]
+      const shift =
+        Math.abs(s[b + X] - s[a + X] - d[k + FROM_X]) +
+        Math.abs(s[b + Y] - s[a + Y] - d[k + FROM_Y]) +
+        coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
+        coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
         MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
-      if (!touching && d[k + CLEAR] - shift > near) continue
-      touch.margin = near
-      touch.ahead = h
-      measure(bodies, contacts, scene.walls, c)
-      touch.ahead = 0
-      contacts.measured++
-      touching = touch.count > 0
-      if (!touching) continue
+      const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
+      const spare = touching ? loose - shift : d[k + CLEAR] - shift
+      // Where the two move alike, less of their travel counts.
+      d[k + DUE] = travel + spare
+      if (touching ? spare < 0 : spare < near) {
+        touch[WIDEST] = near
+        touch[LEAD] = h
+        measure(bodies, contacts, scene.walls, c)
+        touch[LEAD] = 0
+        contacts.measured++
+        if (touch[COUNT] > 0) d[k + DUE] = travel + loose
+        else d[k + DUE] = travel + touch[DISTANCE]
+      }
+      if (d[k + POINTS] === 0) continue
     }
     live[end++] = c
-    if (d[k + LOAD1] + d[k + LOAD2] === 0) {
+    if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
       // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
       const speed = d[k + NX] * vx + d[k + NY] * vy + enough
       if (
-        speed + d[k + NB1] * spinB - d[k + NA1] * spinA < 0 ||
-        (d[k + POINTS] > 1 && speed + d[k + NB2] * spinB - d[k + NA2] * spinA < 0)
+        speed + d[k + NB] * spinB - d[k + NA] * spinA < 0 ||
+        (d[k + POINTS] > 1 && speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA < 0)
       ) {
-        enterImpact(impacts, scene, c, h)
+        enterImpact(impacts, scene, c)
         if (d[k + POINTS] === 0) {
           end--
           continue
         }
       }
     }
-    close(scene, c, h)
+    close(scene, c)
   }
   if (impacts.count === 0) return end
-  resolve(impacts, scene, h)
+  resolve(impacts, scene)
   for (let n = 0; n < impacts.bodyCount; n++) {
     for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1, h)
+      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
     }
   }
   return end
@@ -206,9 +211,9 @@ export function prepare(
  * How fast the gaps of contact `c` may close in the coming sub-step; one that carries a load closes slowly: less chatter.
  * Overlap that the last move has left is taken out of the poses in passing.
  */
-function close(scene: ImpactScene, c: number, h: number): void {
-  const { bodies, contacts } = scene
-  const s = bodies.state
+function close(scene: Scene, c: number): void {
+  const { bodies, contacts, h } = scene
+  const { state: s, motion: m } = bodies
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
   const bodyA = contacts.pair[2 * c] & INDEX
@@ -218,53 +223,37 @@ function close(scene: ImpactScene, c: number, h: number): void {
   const nx = d[k + NX]
   const ny = d[k + NY]
   const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-  const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-  const gap2 =
-    d[k + POINTS] > 1 ? d[k + BASE2] + across + d[k + NB2] * s[b + ANGLE] - d[k + NA2] * s[a + ANGLE] : 0
-  let closing1 = 0
-  let closing2 = 0
-  if (gap1 > 0 || gap2 > 0) {
-    const l1 = d[k + LOAD1]
-    const l2 = d[k + LOAD2]
-    if (gap1 > 0) closing1 = (l1 > 0 ? CLOSING * gap1 : gap1) / h
-    if (gap2 > 0) closing2 = (l2 > 0 ? CLOSING * gap2 : gap2) / h
-    if (l1 + l2 === 0) {
-      // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
-      const m = bodies.motion
-      const ma = bodyA * MOTION
-      const mb = bodyB * MOTION
-      const fall = bodyA > 0 ? 0 : scene.gravity * h
-      const gain =
-        nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-        ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + fall) +
-        d[k + NB1] * m[mb + PUSH_SPIN] -
-        d[k + NA1] * m[ma + PUSH_SPIN]
-      if (gap1 > 0) closing1 -= 0.5 * gain
-      if (gap2 > 0) closing2 -= 0.5 * gain
+  const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
+    const gap = d[p + BASE] + across + d[p + NB] * s[b + ANGLE] - d[p + NA] * s[a + ANGLE]
+    let closing = 0
+    if (gap > 0) {
+      closing = (d[p + LOAD] > 0 ? CLOSING_SHARE * gap : gap) / h
+      if (!loaded) {
+        // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
+        const ma = bodyA * MOTION
+        const mb = bodyB * MOTION
+        closing -=
+          0.5 *
+          (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
+            ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
+            d[k + NB] * m[mb + PUSH_SPIN] -
+            d[k + NA] * m[ma + PUSH_SPIN])
+      }
     }
+    d[p + CLOSING] = closing
+    if (gap < -SLOP) part(scene, c, p, true)
   }
-  d[k + CLOSING1] = closing1
-  d[k + CLOSING2] = closing2
-  if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, h)
-  if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, h)
 }
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
  * complementarity problem, by cases), then friction in the interval ±μ·load. Returns how many contacts
- * it changed by more than `tolerance`, px/s. Visits the contacts with a body that moves, or that was stirred by as much in this round or
+ * it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
  * the last.
  */
-export function sweep(
-  bodies: Bodies,
-  contacts: Contacts,
-  list: Int32Array,
-  from: number,
-  to: number,
-  friction: number,
-  tolerance: number,
-  round: number,
-): number {
+export function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
+  const { bodies, contacts, friction, tolerance } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -278,6 +267,7 @@ export function sweep(
     if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
     contacts.rows++
     const k = c * CONTACT
+    const k2 = k + SECOND
     const a = bodyA * STATE
     const b = bodyB * STATE
     const nx = d[k + NX]
@@ -287,31 +277,31 @@ export function sweep(
     const vx = s[b + VX] - s[a + VX]
     const vy = s[b + VY] - s[a + VY]
     const speed = nx * vx + ny * vy
-    const na1 = d[k + NA1]
-    const nb1 = d[k + NB1]
-    const l1 = d[k + LOAD1]
-    const w1 = speed + nb1 * spinB - na1 * spinA + d[k + CLOSING1]
+    const na1 = d[k + NA]
+    const nb1 = d[k + NB]
+    const l1 = d[k + LOAD]
+    const w1 = speed + nb1 * spinB - na1 * spinA + d[k + CLOSING]
     let load: number
     let normal: number
     let change: number
     if (d[k + POINTS] === 1) {
       // ½(x + |x|) is max(0, x) without a branch, which nobody could predict here.
-      load = l1 - w1 * d[k + MASS1]
+      load = l1 - w1 * d[k + MASS]
       load = 0.5 * (load + Math.abs(load))
       normal = load - l1
       if (normal === 0 && load === 0) continue
-      change = Math.abs(normal) * d[k + K11]
-      d[k + LOAD1] = load
+      change = Math.abs(normal) * d[k + K]
+      d[k + LOAD] = load
       spinA -= s[a + INV_INERTIA] * na1 * normal
       spinB += s[b + INV_INERTIA] * nb1 * normal
     } else {
-      const na2 = d[k + NA2]
-      const nb2 = d[k + NB2]
-      const l2 = d[k + LOAD2]
-      const w2 = speed + nb2 * spinB - na2 * spinA + d[k + CLOSING2]
-      const k11 = d[k + K11]
+      const na2 = d[k2 + NA]
+      const nb2 = d[k2 + NB]
+      const l2 = d[k2 + LOAD]
+      const w2 = speed + nb2 * spinB - na2 * spinA + d[k2 + CLOSING]
+      const k11 = d[k + K]
       const k12 = d[k + K12]
-      const k22 = d[k + K22]
+      const k22 = d[k2 + K]
       const det = d[k + INV_DET]
       // Velocities that zero impulses would leave: q + K·p ≥ 0 with p ≥ 0, one of each zero.
       const q1 = w1 - k11 * l1 - k12 * l2
@@ -323,24 +313,24 @@ export function sweep(
         p2 = det * (k12 * q1 - k11 * q2)
       } else {
         // The two points are nearly one: they take turns.
-        p1 = l1 - w1 * d[k + MASS1]
+        p1 = l1 - w1 * d[k + MASS]
         if (p1 < 0) p1 = 0
-        p2 = l2 - (w2 + k12 * (p1 - l1)) * d[k + MASS2]
+        p2 = l2 - (w2 + k12 * (p1 - l1)) * d[k2 + MASS]
         if (p2 < 0) p2 = 0
       }
       if (p1 < 0 || p2 < 0) {
-        p1 = -q1 * d[k + MASS1]
+        p1 = -q1 * d[k + MASS]
         p2 = 0
         if (p1 < 0 || q2 + k12 * p1 < 0) {
           p1 = 0
-          p2 = -q2 * d[k + MASS2]
+          p2 = -q2 * d[k2 + MASS]
           if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
         }
       }
       load = p1 + p2
       if (load === 0 && l1 + l2 === 0) continue
-      d[k + LOAD1] = p1
-      d[k + LOAD2] = p2
+      d[k + LOAD] = p1
+      d[k2 + LOAD] = p2
       p1 -= l1
       p2 -= l2
       normal = p1 + p2
@@ -353,52 +343,68 @@ export function sweep(
       stirred[bodyB] = round
       stirs++
     }
-    const ta = d[k + TA]
-    const tb = d[k + TB]
-    const old = d[k + DRAG]
-    const limit = friction * load
-    let t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
-    if (t > limit) t = limit
-    else if (t < -limit) t = -limit
-    d[k + DRAG] = t
-    t -= old
+    let t = 0
+    if (friction > 0) {
+      const ta = d[k + TA]
+      const tb = d[k + TB]
+      const old = d[k + DRAG]
+      const limit = friction * load
+      t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      if (t > limit) t = limit
+      else if (t < -limit) t = -limit
+      d[k + DRAG] = t
+      t -= old
+      spinA -= s[a + INV_INERTIA] * ta * t
+      spinB += s[b + INV_INERTIA] * tb * t
+    }
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
     s[a + VX] -= ima * x
     s[a + VY] -= ima * y
-    s[a + SPIN] = spinA - s[a + INV_INERTIA] * ta * t
+    s[a + SPIN] = spinA
     s[b + VX] += imb * x
     s[b + VY] += imb * y
-    s[b + SPIN] = spinB + s[b + INV_INERTIA] * tb * t
+    s[b + SPIN] = spinB
   }
   return stirs
 }
 
-/** Moves the bodies `list[from..to)` through the sub-step, and keeps what the sweep changed as the next warm start. */
-export function move(bodies: Bodies, list: Int32Array, from: number, to: number, h: number): void {
-  const { state, motion, shape, moved } = bodies
+/**
+ * Moves the bodies `list[from..to)` through the sub-step, and keeps what the sweep changed as the next warm start.
+ * Returns how many of them move, or gain speed by what the warm start and gravity give.
+ */
+export function move(scene: Scene, list: Int32Array, from: number, to: number): number {
+  const { state, motion, shape } = scene.bodies
+  const { gravity, h } = scene
+  let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
     const s = i * STATE
     const m = i * MOTION
-    const dvx = state[s + VX] - motion[m + KICK_X]
-    const dvy = state[s + VY] - motion[m + KICK_Y]
-    const dSpin = state[s + SPIN] - motion[m + KICK_SPIN]
-    motion[m + PUSH_X] += dvx
-    motion[m + PUSH_Y] += dvy
+    const vx = state[s + VX]
+    const vy = state[s + VY]
+    const spin = state[s + SPIN]
+    const dvx = vx - motion[m + KICK_X]
+    const dvy = vy - motion[m + KICK_Y]
+    const dSpin = spin - motion[m + KICK_SPIN]
+    const pushX = motion[m + PUSH_X] + dvx
+    const pushY = motion[m + PUSH_Y] + dvy
+    motion[m + PUSH_X] = pushX
+    motion[m + PUSH_Y] = pushY
     motion[m + PUSH_SPIN] += dSpin
-    const dx = motion[m + DRIFT_X] + h * dvx
-    const dy = motion[m + DRIFT_Y] + h * dvy
-    const by = motion[m + DRIFT_ANGLE] + h * dSpin
-    state[s + X] += dx
-    state[s + Y] += dy
-    state[s + ANGLE] += by
-    const way = Math.abs(dx) + Math.abs(dy) + shape[i * SHAPE + CORE] * Math.abs(by)
-    moved[i] = moved[i] === PUSHED || way > STANDING ? 1 : 0
+    state[s + X] += motion[m + DRIFT_X] + h * dvx
+    state[s + Y] += motion[m + DRIFT_Y] + h * dvy
+    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
+    if (
+      Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin) > BALANCE ||
+      Math.abs(pushX) + Math.abs(pushY + gravity * h) > BALANCE
+    )
+      active++
     capSpeed(state, s)
   }
+  return active
 }
 
 /** Nothing moves faster than the cap, so that no margin is ever too small. */
@@ -413,69 +419,33 @@ export function capSpeed(state: Float64Array, s: number): void {
   }
 }
 
-/** Pushes the bodies of a point (0 or 1) of a manifold apart along its normal, unless they part by themselves within `h` s. */
-function part(
-  bodies: Bodies,
-  d: Float64Array,
-  k: number,
-  a: number,
-  b: number,
-  gap: number,
-  point: number,
-  h: number,
-): void {
+/** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
+function part(scene: Scene, c: number, p: number, lazy: boolean): void {
+  const { bodies, contacts } = scene
+  probe(bodies, contacts, c, p)
+  const gap = touch[GAP_NOW] + SLOP
+  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return
   const s = bodies.state
-  const nx = d[k + NX]
-  const ny = d[k + NY]
-  const na = point === 0 ? d[k + NA1] : d[k + NA2]
-  const nb = point === 0 ? d[k + NB1] : d[k + NB2]
-  const leaving =
-    nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
-  if (gap + leaving * h > -SLOP) return
-  const p = Math.min(PUSH * (-SLOP - gap), MAX_PUSH) * (point === 0 ? d[k + MASS1] : d[k + MASS2])
-  const pa = s[a + INV_MASS] * p
-  const pb = s[b + INV_MASS] * p
-  s[a + X] -= nx * pa
-  s[a + Y] -= ny * pa
-  s[a + ANGLE] -= s[a + INV_INERTIA] * na * p
-  s[b + X] += nx * pb
-  s[b + Y] += ny * pb
-  s[b + ANGLE] += s[b + INV_INERTIA] * nb * p
-  bodies.moved[a / STATE] = PUSHED
-  bodies.moved[b / STATE] = PUSHED
+  const d = contacts.data
+  const k = c * CONTACT
+  const a = contacts.pair[2 * c] * STATE
+  const b = contacts.pair[2 * c + 1] * STATE
+  const push = Math.min(-PUSH * gap, MAX_PUSH) * d[p + MASS]
+  const pa = s[a + INV_MASS] * push
+  const pb = s[b + INV_MASS] * push
+  s[a + X] -= d[k + NX] * pa
+  s[a + Y] -= d[k + NY] * pa
+  s[a + ANGLE] -= s[a + INV_INERTIA] * d[p + NA] * push
+  s[b + X] += d[k + NX] * pb
+  s[b + Y] += d[k + NY] * pb
+  s[b + ANGLE] += s[b + INV_INERTIA] * d[p + NB] * push
 }
 
 /** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
-export function separate(
-  bodies: Bodies,
-  contacts: Contacts,
-  list: Int32Array,
-  from: number,
-  to: number,
-): void {
-  const s = bodies.state
-  const d = contacts.data
-  const pair = contacts.pair
+export function separate(scene: Scene, list: Int32Array, from: number, to: number): void {
+  const d = scene.contacts.data
   for (let i = from; i < to; i++) {
-    const c = list[i] & INDEX
-    const k = c * CONTACT
-    const points = d[k + POINTS]
-    if (points === 0) continue
-    const a = (pair[2 * c] & INDEX) * STATE
-    const b = (pair[2 * c + 1] & INDEX) * STATE
-    const nx = d[k + NX]
-    const ny = d[k + NY]
-    const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
-    const gap1 = d[k + BASE1] + across + d[k + NB1] * s[b + ANGLE] - d[k + NA1] * s[a + ANGLE]
-    if (gap1 < -SLOP) part(bodies, d, k, a, b, gap1, 0, 0)
-    if (points > 1) {
-      const gap2 =
-        d[k + BASE2] +
-        nx * (s[b + X] - s[a + X]) +
-        ny * (s[b + Y] - s[a + Y]) +
-        d[k + NB2] * s[b + ANGLE] -
-        d[k + NA2] * s[a + ANGLE]
-      if (gap2 < -SLOP) part(bodies, d, k, a, b, gap2, 1, 0)
-    }
+    const k = list[i] * CONTACT
+    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) part(scene, list[i], p, false)
   }
 }

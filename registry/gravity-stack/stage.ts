@@ -288,8 +288,9 @@ export function createStage(root: HTMLElement): Stage {
     slot = Math.max(slot, clock)
     chip.due = releaseTime(chip.turn, slot)
     slot += options.stagger / 1000
-    queue.push(chip)
-    queue.sort((a, b) => a.due - b.due)
+    let place = queue.length
+    while (place > 0 && queue[place - 1]!.due > chip.due) place--
+    queue.splice(place, 0, chip)
   }
 
   function withdraw(chip: Chip) {
@@ -305,7 +306,8 @@ export function createStage(root: HTMLElement): Stage {
     for (const other of chips.values()) {
       if (other.id < 0) continue
       const { x, y } = world!.read(other.id)
-      obstacles.push({ x, y, reach: Math.hypot(other.width, other.height) / 2 })
+      const reach = Math.hypot(other.width, other.height) / 2
+      if (y < reach) obstacles.push({ x, y, reach })
     }
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     const { radius } = chip
@@ -334,11 +336,15 @@ export function createStage(root: HTMLElement): Stage {
     advance(Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    sync()
+    if (world!.resting) sync()
   }
 
-  function paint(id: number, x: number, y: number, angle: number, asleep: boolean) {
+  function paint(id: number, asleep: boolean) {
     const chip = bodies[id]!
+    const { pose } = world!
+    const x = pose[0]!
+    const y = pose[1]!
+    const angle = pose[2]!
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = angle - chip.angle
@@ -363,6 +369,8 @@ export function createStage(root: HTMLElement): Stage {
     if (chip.state === next) return
     chip.state = next
     chip.element.setAttribute('data-state', next)
+    // It waits out of sight, where its class puts it.
+    if (next === 'waiting') chip.element.style.transform = ''
   }
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
@@ -652,7 +660,7 @@ export function createStage(root: HTMLElement): Stage {
       root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {
         mark(chip, 'waiting')
-        chip.element.style.transform = chip.element.style.zIndex = ''
+        chip.element.style.zIndex = ''
       }
     },
   }

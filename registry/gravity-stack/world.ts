@@ -15,7 +15,6 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
-  PUSHED,
   RADIUS,
   reserveBodies,
   SHAPE,
@@ -24,16 +23,17 @@ import {
   STATE,
   setPose,
   setShape,
+  tally,
   turn,
   VX,
   VY,
   X,
   Y,
 } from './body'
-import { touch } from './collide'
+import { DISTANCE, touch, WIDEST } from './collide'
 import {
+  AHEAD,
   ANGULAR_DAMPING,
-  BALANCE,
   BOUNCE,
   BOUNCE_THRESHOLD,
   FRICTION,
@@ -61,16 +61,17 @@ import {
   carry,
   createContacts,
   DRAG,
+  DUE,
   gapBound,
   LAG,
-  LOAD1,
-  LOAD2,
+  LOAD,
   measure,
   NX,
   NY,
   POINTS,
   RATE,
   reserveHeads,
+  SECOND,
 } from './contacts'
 import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, throwVelocity } from './grab'
 import { clearImpacts, createImpacts, reserveImpacts } from './impacts'
@@ -164,7 +165,11 @@ export function createWorld(options: WorldOptions) {
   const islands = createIslands()
   const impacts = createImpacts()
   const walls = { width: size(options.width), height: size(options.height) }
+  const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
+  const h = STEP / substeps
   const scene = {
+    h,
+    tolerance: TOLERANCE_LEAST,
     bodies,
     contacts,
     walls,
@@ -191,6 +196,7 @@ export function createWorld(options: WorldOptions) {
     hits: 0,
     rows: 0,
   }
+  const pose: Float64Array = new Float64Array(3)
   let densities: Float64Array = new Float64Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
@@ -235,7 +241,7 @@ export function createWorld(options: WorldOptions) {
       for (let edge = contacts.head[awake[n]]; edge >= 0; edge = contacts.next[edge]) {
         const j = contacts.pair[edge ^ 1]
         const k = (edge >> 1) * CONTACT
-        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD1] + contacts.data[k + LOAD2] > 0)
+        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
           rouse(j)
       }
     }
@@ -275,13 +281,13 @@ export function createWorld(options: WorldOptions) {
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (gapBound(bodies, contacts, c) > go + MARGIN) continue
-        touch.margin = MARGIN
+        touch[WIDEST] = MARGIN
         measure(bodies, contacts, walls, c)
         contacts.measured++
         if (
           contacts.data[k + POINTS] === 0
-            ? touch.gap < go
-            : touch.gap < -4 * SLOP || closing(c) > IMPACT_SPREAD
+            ? touch[DISTANCE] < go
+            : touch[DISTANCE] < -4 * SLOP || closing(c) > IMPACT_SPREAD
         )
           wake(j)
       }
@@ -311,9 +317,10 @@ export function createWorld(options: WorldOptions) {
       before[i * 3 + 1] = state[i * STATE + Y]
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
+    tally(bodies, awake, 0, awakeCount, AHEAD * h)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
-    findIslands(islands, bodies, contacts, walls, scene.gravity, awake, awakeCount)
+    findIslands(islands, scene, awake, awakeCount)
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
       const b1 = islands.bodyStart[n + 1]
@@ -326,7 +333,7 @@ export function createWorld(options: WorldOptions) {
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
-    if (options.sleep !== false) awakeCount = rest(islands, bodies, contacts, held, awake, awakeCount)
+    if (options.sleep !== false) awakeCount = rest(islands, scene, held, awake, awakeCount)
   }
 
   /** A body alone in the air: the whole step in closed form. */
@@ -351,10 +358,8 @@ export function createWorld(options: WorldOptions) {
     const live = islands.live
     let end = c0
     const speed = fastest(b0, b1)
-    const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-    const h = STEP / substeps
     const { linear, spin } = airFor(substeps)
-    const tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
     const sweeps =
@@ -367,23 +372,24 @@ export function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
-      end = prepare(scene, impacts, islands.contacts, live, c0, c1, h, n > 0)
+      if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+      end = prepare(scene, impacts, islands.contacts, live, c0, c1)
       for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
-      kick(bodies, islands.bodies, b0, b1, scene.gravity, linear, spin, round)
+      kick(scene, islands.bodies, b0, b1, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
         for (const hold of grabbed) {
           solveHold(bodies, hold)
           bodies.stirred[hold.body] = round + k - 1
         }
-        stirs = sweep(bodies, contacts, live, c0, end, scene.friction, tolerance, round + k)
+        stirs = sweep(scene, live, c0, end, round + k)
         stats.sweeps++
       }
-      move(bodies, islands.bodies, b0, b1, h)
+      const active = move(scene, islands.bodies, b0, b1)
       stats.substeps++
-      if (stirs === 0 && grabbed.length === 0 && inBalance(b0, b1, h)) break
+      if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    separate(bodies, contacts, live, c0, end)
+    separate(scene, live, c0, end)
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
@@ -407,25 +413,6 @@ export function createWorld(options: WorldOptions) {
     if (x === state[s + X] && y === state[s + Y]) return
     state[s + X] = x
     state[s + Y] = y
-    bodies.moved[i] = PUSHED
-  }
-
-  /** Whether no body of an island moves or gains speed. */
-  function inBalance(b0: number, b1: number, h: number): boolean {
-    const { state, motion, shape } = bodies
-    for (let n = b0; n < b1; n++) {
-      const i = islands.bodies[n]
-      const s = i * STATE
-      const m = i * MOTION
-      const speed =
-        Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-      if (speed > BALANCE) return false
-      if (Math.abs(motion[m + PUSH_X]) + Math.abs(motion[m + PUSH_Y] + scene.gravity * h) > BALANCE)
-        return false
-    }
-    return true
   }
 
   /** px/s, speed of the fastest point of the bodies of an island. */
@@ -466,11 +453,11 @@ export function createWorld(options: WorldOptions) {
       const c = islands.contacts[n]
       const k = c * CONTACT
       d[k + LAG] = 0
-      if (d[k + POINTS] > 0 && d[k + LOAD1] + d[k + LOAD2] > 0) {
+      if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
         if (d[k + RATE] !== substeps) {
           const scale = d[k + RATE] / substeps
-          d[k + LOAD1] *= scale
-          d[k + LOAD2] *= scale
+          d[k + LOAD] *= scale
+          d[k + SECOND + LOAD] *= scale
           d[k + DRAG] *= scale
         }
         carry(bodies, contacts, c, 1)
@@ -498,7 +485,13 @@ export function createWorld(options: WorldOptions) {
       const s = i * STATE
       densities[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
-      setPose(bodies, i, finite(body.x), finite(body.y), finite(body.angle))
+      setPose(
+        bodies,
+        i,
+        within(body.x, -FAR, FAR, 0),
+        within(body.y, -FAR, FAR, 0),
+        within(body.angle, -FAR, FAR, 0),
+      )
       bodies.state[s + VX] = finite(body.vx)
       bodies.state[s + VY] = finite(body.vy)
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
@@ -536,9 +529,9 @@ export function createWorld(options: WorldOptions) {
       setPose(
         bodies,
         id,
-        finite(motion.x, state[s + X]),
-        finite(motion.y, state[s + Y]),
-        finite(motion.angle, state[s + ANGLE]),
+        within(motion.x, -FAR, FAR, state[s + X]),
+        within(motion.y, -FAR, FAR, state[s + Y]),
+        within(motion.angle, -FAR, FAR, state[s + ANGLE]),
       )
       state[s + VX] = finite(motion.vx, state[s + VX])
       state[s + VY] = finite(motion.vy, state[s + VY])
@@ -623,8 +616,8 @@ export function createWorld(options: WorldOptions) {
       const hold = createHold(
         bodies,
         id,
-        within(x, -1e6, 1e6, bodies.state[id * STATE + X]),
-        within(y, -1e6, 1e6, bodies.state[id * STATE + Y]),
+        within(x, -FAR, FAR, bodies.state[id * STATE + X]),
+        within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
       disturb(id)
       held[id]++
@@ -632,7 +625,7 @@ export function createWorld(options: WorldOptions) {
       return {
         moveTo(toX, toY, seconds) {
           const when = within(seconds, -1e12, 1e12, 0)
-          recordHold(hold, within(toX, -1e6, 1e6, hold.x), within(toY, -1e6, 1e6, hold.y), when)
+          recordHold(hold, within(toX, -FAR, FAR, hold.x), within(toY, -FAR, FAR, hold.y), when)
         },
         release() {
           const n = holds.indexOf(hold)
@@ -644,28 +637,25 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Calls back with the pose to draw of every body that has moved since the last call. */
-    eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
+    /** What the world is made of, for tools that draw it. */
+    scene,
+
+    /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
+    pose,
+
+    /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
+    eachMoved(visit: (id: number, asleep: boolean) => void): void {
       const share = Math.min(1, Math.max(0, left / STEP))
       const { state, before } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
-        const s = i * STATE
-        if (bodies.asleep[i] === 1) {
-          undrawn[i] = 0
-          visit(i, state[s + X], state[s + Y], state[s + ANGLE], true)
-        } else {
-          const x = before[i * 3]
-          const y = before[i * 3 + 1]
-          const angle = before[i * 3 + 2]
-          visit(
-            i,
-            x + share * (state[s + X] - x),
-            y + share * (state[s + Y] - y),
-            angle + share * (state[s + ANGLE] - angle),
-            false,
-          )
+        undrawn[i] = 1 - bodies.asleep[i]
+        for (let axis = 0; axis < 3; axis++) {
+          const now = state[i * STATE + axis]
+          const then = before[i * 3 + axis]
+          pose[axis] = undrawn[i] > 0 ? then + share * (now - then) : now
         }
+        visit(i, undrawn[i] === 0)
       }
     },
 
@@ -692,9 +682,10 @@ export function createWorld(options: WorldOptions) {
     undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
+      contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
       contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD1] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD2] = 0
+      contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
+      contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
       contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
     }
   }
@@ -716,6 +707,9 @@ export function createWorld(options: WorldOptions) {
   }
 }
 
+/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+const FAR = 1e6
+
 function finite(value: number | undefined, otherwise = 0): number {
   return value !== undefined && value - value === 0 ? value : otherwise
 }
@@ -731,5 +725,5 @@ function positive(value: number | undefined, otherwise: number): number {
 
 /** px; a size below 1 px, or none, counts as 1 px. */
 function size(value: number): number {
-  return Math.max(1, Math.min(1e6, finite(value)))
+  return Math.max(1, Math.min(FAR, finite(value)))
 }
