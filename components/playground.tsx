@@ -23,8 +23,8 @@ import {
   toQuery,
 } from '@/lib/playground'
 import { CopyButton } from './copy-button'
-import { chipColours, drawChip, drawLine, paletteOf } from './lab/draw'
-import { islandsOf } from './lab/islands-of'
+import { chipColours, drawChip, drawDot, drawLine, paletteOf } from './lab/draw'
+import { inspect, meanMass } from './lab/inspect'
 import { createPile, type Pile } from './lab/pile'
 import { LiveCode } from './live-code'
 
@@ -34,6 +34,10 @@ const speeds = [
   { value: 0.05, label: '1/20×' },
 ]
 
+/** px, how long the overlay draws the weight of a mean chip, and the longest force. */
+const weightLength = 12
+const longestForce = 80
+
 type Held = ReturnType<Pile['world']['grab']>
 
 /** What the solver did in the last step, and how long it took. */
@@ -42,11 +46,11 @@ type Work = {
   pairs: number
   contacts: number
   islands: number
-  sweeps: number
+  substeps: number
   micros: number
   resting: boolean
 }
-const idle: Work = { awake: 0, pairs: 0, contacts: 0, islands: 0, sweeps: 0, micros: 0, resting: false }
+const idle: Work = { awake: 0, pairs: 0, contacts: 0, islands: 0, substeps: 0, micros: 0, resting: false }
 
 export function Playground() {
   const [settings, setSettings] = useState<Settings>()
@@ -100,22 +104,22 @@ export function Playground() {
     const context = element.getContext('2d')!
     context.scale(scale, scale)
     const palette = paletteOf(element)
-    const islands = islandsOf(sizes, states)
+    const { touches, islands } = inspect(world)
     states.forEach((state, chip) => {
-      const colour = state.asleep ? palette.muted : chipColours[islands[chip] % chipColours.length]
+      const island = islands.get(ids[chip]) ?? 0
       context.globalAlpha = 0.75
-      drawChip(context, sizes[chip], state, { fill: colour })
+      drawChip(context, sizes[chip], state, {
+        fill: state.asleep ? palette.muted : chipColours[island % chipColours.length],
+      })
       context.globalAlpha = 1
       drawChip(context, sizes[chip], state, { stroke: palette.foreground, dash: state.asleep ? [3, 3] : [] })
-      drawLine(
-        context,
-        [state.x, state.y],
-        [state.x + state.vx / 10, state.y + state.vy / 10],
-        palette.foreground,
-      )
-      context.fillStyle = palette.foreground
-      context.fillRect(state.x - 2, state.y - 2, 4, 4)
     })
+    const pixels = weightLength / (meanMass(world) * Math.max(gravity, 1))
+    for (const { x, y, forceX, forceY } of touches) {
+      const scale = Math.min(pixels, longestForce / Math.hypot(forceX, forceY))
+      drawLine(context, [x, y], [x + scale * forceX, y + scale * forceY], palette.alarm)
+      drawDot(context, x, y, palette.alarm)
+    }
   }
 
   function step() {
@@ -270,16 +274,15 @@ export function Playground() {
               <span className={className}>{word}</span>
             </div>
           ))}
-          {/* Hulls by island, grey while asleep; centres; velocities, a tenth of a second long. */}
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
         <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
           {Object.entries({
-            awake: work.resting ? 0 : work.awake,
+            'awake chips': work.resting ? 0 : work.awake,
             pairs: work.pairs,
             contacts: work.contacts,
             islands: work.islands,
-            sweeps: work.sweeps,
+            substeps: work.substeps,
             'µs a step': Math.round(work.micros),
           }).map(([name, value]) => (
             <div key={name} className="flex gap-2">
@@ -288,6 +291,12 @@ export function Playground() {
             </div>
           ))}
         </dl>
+        {overlay && (
+          <p className="border-t px-4 py-3 text-muted-foreground text-sm">
+            Chips that touch are one island and share a colour; grey with a dashed outline is asleep. Dots are
+            contact points, lines what pushes there: {weightLength} px are the weight of a mean chip.
+          </p>
+        )}
       </div>
 
       <form

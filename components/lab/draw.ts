@@ -93,3 +93,10 @@ export function drawLine(
   context.stroke()
   context.setLineDash([])
 }
+
+export function drawDot(context: CanvasRenderingContext2D, x: number, y: number, colour: string) {
+  context.beginPath()
+  context.arc(x, y, 2.5, 0, 2 * Math.PI)
+  context.fillStyle = colour
+  context.fill()
+}
