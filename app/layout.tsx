@@ -1,10 +1,9 @@
 import './globals.css'
-import { GeistMono } from 'geist/font/mono'
-import { GeistSans } from 'geist/font/sans'
 import type { Metadata, Viewport } from 'next'
 import type { ReactNode } from 'react'
 import { SiteFooter } from '@/components/site-footer'
 import { SiteHeader } from '@/components/site-header'
+import { mono, sans } from '@/lib/fonts'
 import { preferencesScript } from '@/lib/preferences'
 import { siteUrl } from '@/site.config.mjs'
 
@@ -33,7 +32,7 @@ const speculationRules = JSON.stringify({
 export default function Layout({ children }: { children: ReactNode }) {
   return (
     // The script below sets the theme on <html> before React looks at it.
-    <html lang="en" suppressHydrationWarning className={`${GeistSans.variable} ${GeistMono.variable}`}>
+    <html lang="en" suppressHydrationWarning className={`${sans.variable} ${mono.variable}`}>
       <head>
         {/* biome-ignore lint/security/noDangerouslySetInnerHtml: our own script, must run before the first paint */}
         <script dangerouslySetInnerHTML={{ __html: preferencesScript }} />
