@@ -1,6 +1,5 @@
 import { exampleSource } from '@/lib/source'
 import { Code } from './code-block'
-import { Demo } from './demo'
 import { PreviewTabs } from './preview-tabs'
 
 /** An example of the registry, live, with its source behind a tab. */
@@ -9,8 +8,6 @@ export function ComponentPreview({ name }: { name: string }) {
     <PreviewTabs
       name={name}
       code={<Code code={exampleSource(name)} className="absolute inset-0 [&>pre]:h-full" />}
-    >
-      <Demo name={name} />
-    </PreviewTabs>
+    />
   )
 }

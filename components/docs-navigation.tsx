@@ -1,11 +1,7 @@
-'use client'
-
-import { usePathname } from 'next/navigation'
-
 export type Navigation = { title: string; pages: { title: string; href: string }[] }[]
 
-export function DocsNavigation({ sections, onNavigate }: { sections: Navigation; onNavigate?: () => void }) {
-  const path = usePathname().replace(/(.)\/$/, '$1')
+/** The pages of the docs by section; the one at `path` is marked. */
+export function DocsNavigation({ sections, path }: { sections: Navigation; path?: string }) {
   return (
     <ul className="space-y-7 text-sm">
       {sections.map((section) => (
@@ -16,7 +12,6 @@ export function DocsNavigation({ sections, onNavigate }: { sections: Navigation;
               <li key={page.href}>
                 <a
                   href={page.href}
-                  onClick={onNavigate}
                   aria-current={path === page.href ? 'page' : undefined}
                   className="block rounded-md px-3 py-1.5 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
                 >

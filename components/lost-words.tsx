@@ -1,9 +1,9 @@
 'use client'
 
-import dynamic from 'next/dynamic'
+import { lazy } from 'react'
 
 // Every page carries its 404 with it; the component comes only where it falls.
-const GravityStack = dynamic(() => import('./ui/gravity-stack').then((file) => file.GravityStack))
+const GravityStack = lazy(() => import('./ui/gravity-stack').then((file) => ({ default: file.GravityStack })))
 
 const words = ['This', 'page', 'fell', 'down', 'and', 'nobody', 'picked', 'it', 'up.']
 

@@ -1,28 +1,39 @@
 'use client'
 
-import { useRef } from 'react'
-import { DocsNavigation, type Navigation } from './docs-navigation'
+import { type ReactNode, useRef } from 'react'
 import { MenuIcon } from './icons'
 
-/** The docs' navigation on narrow screens: a native dialog, which keeps the focus and closes on Escape by itself. */
-export function MobileNavigation({ sections }: { sections: Navigation }) {
+/**
+ * The docs' navigation on narrow screens: a native dialog, which keeps the focus and closes on Escape by itself.
+ * `children` are links from the server, which doesn't know the page: it is marked when the menu opens.
+ */
+export function MobileNavigation({ children }: { children: ReactNode }) {
   const dialog = useRef<HTMLDialogElement>(null)
   const close = () => dialog.current?.close()
+  const open = () => {
+    for (const link of dialog.current!.querySelectorAll('a')) {
+      if (link.pathname === location.pathname) link.setAttribute('aria-current', 'page')
+      else link.removeAttribute('aria-current')
+    }
+    dialog.current!.showModal()
+  }
   return (
     <div className="lg:hidden">
       <button
         type="button"
         aria-label="Menu"
-        onClick={() => dialog.current?.showModal()}
+        onClick={open}
         className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground hover:bg-muted hover:text-foreground"
       >
         <MenuIcon />
       </button>
-      {/* biome-ignore lint/a11y/useKeyWithClickEvents: a press beside the panel; Escape does it for the keyboard */}
+      {/* biome-ignore lint/a11y/useKeyWithClickEvents: a press beside the panel or on a link; Escape does it for the keyboard */}
       <dialog
         ref={dialog}
         aria-label="Menu"
-        onClick={(event) => event.target === event.currentTarget && close()}
+        onClick={({ target, currentTarget }) => {
+          if (target === currentTarget || (target as Element).closest('a')) close()
+        }}
         className="mr-0 ml-auto h-dvh max-h-none w-72 max-w-[85vw] border-l bg-background p-0 text-foreground backdrop:bg-black/40"
       >
         <nav aria-label="Pages" className="h-full overflow-y-auto px-3 py-4">
@@ -35,7 +46,7 @@ export function MobileNavigation({ sections }: { sections: Navigation }) {
               Close
             </button>
           </div>
-          <DocsNavigation sections={sections} onNavigate={close} />
+          {children}
         </nav>
       </dialog>
     </div>

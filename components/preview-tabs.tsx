@@ -1,8 +1,9 @@
 'use client'
 
-import { Fragment, type ReactNode, useId, useState } from 'react'
+import { type ReactNode, useId, useState } from 'react'
 import { classes } from '@/lib/classes'
 import { CopyButton } from './copy-button'
+import { Demo } from './demo'
 import { ReplayIcon } from './icons'
 import { TabList } from './tab-list'
 
@@ -12,15 +13,7 @@ const tabs = [
 ]
 
 /** Preview and code share one grid cell, so the box keeps its height and the pile keeps its place behind the code. */
-export function PreviewTabs({
-  name,
-  code,
-  children,
-}: {
-  name: string
-  code: ReactNode
-  children: ReactNode
-}) {
+export function PreviewTabs({ name, code }: { name: string; code: ReactNode }) {
   const id = useId()
   const [tab, setTab] = useState('preview')
   const [drop, setDrop] = useState(0)
@@ -53,7 +46,7 @@ export function PreviewTabs({
           {...panel('preview')}
           className={classes('mb-3 border-b bg-stage', tab !== 'preview' && 'invisible')}
         >
-          <Fragment key={drop}>{children}</Fragment>
+          <Demo name={name} drop={drop} />
         </div>
         <div {...panel('code')} className={classes('relative', tab !== 'code' && 'invisible')}>
           {code}

@@ -1,4 +1,5 @@
 import { navigation } from '@/lib/docs'
+import { DocsNavigation } from './docs-navigation'
 import { MobileNavigation } from './mobile-navigation'
 import { ThemeToggle } from './theme-toggle'
 import { Mark } from './wordmark'
@@ -37,7 +38,9 @@ export function SiteHeader() {
         </nav>
         <div className="ml-auto flex items-center gap-1">
           <ThemeToggle />
-          <MobileNavigation sections={navigation} />
+          <MobileNavigation>
+            <DocsNavigation sections={navigation} />
+          </MobileNavigation>
         </div>
       </div>
     </header>

@@ -1,10 +1,11 @@
 import { execFileSync } from 'node:child_process'
 import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import postcss from 'postcss'
 import { createElement, type FunctionComponent } from 'react'
 import { renderToStaticMarkup } from 'react-dom/server'
 import { expect, test } from 'vitest'
-import { demos } from '@/components/demos'
+import { examples as shown } from '@/components/demo'
 import { heroSnippets } from '@/lib/hero-snippets'
 import { codeOf, defaults } from '@/lib/playground'
 
@@ -30,16 +31,22 @@ export const used = { useRef, chips, action: null as GravityStackActions | null,
 `
 }
 
-const fences = (name: string, text: string) =>
-  [...text.matchAll(/^```tsx[^\n]*\n([\s\S]*?)^```$/gm)].map(
-    ([, code], index) => [`${name}-${index + 1}`, code] as const,
+const blocks = (lang: string, text: string) =>
+  [...text.matchAll(new RegExp(`^\`\`\`${lang}(?: [^\\n]*)?\\n([\\s\\S]*?)^\`\`\`$`, 'gm'))].map(
+    ([, code]) => code,
   )
+
+const fences = (name: string, text: string) =>
+  blocks('tsx', text).map((code, index) => [`${name}-${index + 1}`, code] as const)
+
+const pages = readdirSync('content/docs').map((file) => [
+  file,
+  readFileSync(join('content/docs', file), 'utf8'),
+])
 
 const samples = new Map([
   ...fences('readme', readFileSync('README.md', 'utf8')),
-  ...readdirSync('content/docs').flatMap((file) =>
-    fences(file.replace('.mdx', ''), readFileSync(join('content/docs', file), 'utf8')),
-  ),
+  ...pages.flatMap(([file, text]) => fences(file.replace('.mdx', ''), text)),
   ...Object.entries(heroSnippets).map(([effect, code]) => [`home-${effect}`, code] as const),
   ['playground', codeOf(defaults)],
   ['playground-mixed', codeOf({ ...defaults, shape: 'mixed', words: "it's, \\, `$(x)`", gravity: 900 })],
@@ -82,10 +89,35 @@ for (const name of samples.keys()) {
   })
 }
 
+// Those of Setup are pasted into new projects by e2e/install, too.
+test('every stylesheet and every JSON on the site is one', () => {
+  const css = pages.flatMap(([, text]) => blocks('css', text))
+  const json = pages.flatMap(([, text]) => blocks('json', text))
+  expect(css.length * json.length).toBeGreaterThan(0)
+  for (const code of css) expect(postcss.parse(code).nodes).not.toHaveLength(0)
+  for (const code of json) expect(JSON.parse(code)).toBeTypeOf('object')
+})
+
+test('code on the site is in a language that a test knows', () => {
+  const langs = pages.flatMap(([, text]) => [...text.matchAll(/^```(\w+)[^\n]*\n[\s\S]*?^```$/gm)])
+  expect([...new Set(langs.map(([, lang]) => lang))].sort()).toEqual(['bash', 'css', 'json', 'ts', 'tsx'])
+})
+
+test('the recipe of a raised chip on the elevation page is the one of its token', () => {
+  const [recipe] = blocks('css', readFileSync('content/docs/elevation.mdx', 'utf8'))
+  const shadow = recipe
+    .match(/box-shadow:([^;]+);/)![1]
+    .replace(/\s+/g, ' ')
+    .trim()
+  const { items } = JSON.parse(readFileSync('registry.json', 'utf8'))
+  const tokens = items.find(({ name }: { name: string }) => name === 'elevation').cssVars.theme
+  expect(shadow).toBe(tokens['shadow-raised-3'])
+})
+
 const examples = readdirSync('registry/examples').map((file) => file.replace('.tsx', ''))
 
 test('every example of the registry is on the site', () => {
-  expect(Object.keys(demos).sort()).toEqual(examples.sort())
+  expect(Object.keys(shown).sort()).toEqual(examples.sort())
   const page = readFileSync('content/docs/gravity-stack.mdx', 'utf8')
   for (const name of examples) expect(page).toContain(`<ComponentPreview name="${name}" />`)
 })

@@ -22,23 +22,24 @@ const others = [
   },
 ]
 
+/** The way through the docs, section by section; previous and next follow it. */
 export const navigation = sections.map((title) => ({
   title,
   pages: [
     ...docs
       .filter((doc) => doc.section === title)
-      .map((doc) => ({ ...link(doc), description: doc.description })),
+      .map(({ title, slug, description }) => ({ title, href: `/docs/${slug}`, description })),
     ...others.filter((page) => page.section === title),
   ],
 }))
 
+const order = navigation.flatMap((section) => section.pages)
+
+export function neighbours(path: string) {
+  const index = order.findIndex((page) => page.href === path)
+  return { previous: order[index - 1], next: order[index + 1] }
+}
+
 export type Heading = { depth: number; text: string; id: string }
 
-export function link(doc: Doc) {
-  return { title: doc.title, href: `/docs/${doc.slug}` }
-}
-
-export function findDoc(slug: string) {
-  const index = docs.findIndex((doc) => doc.slug === slug)
-  return { doc: docs[index], previous: docs[index - 1], next: docs[index + 1] }
-}
+export const findDoc = (slug: string): Doc | undefined => docs.find((doc) => doc.slug === slug)

@@ -1,22 +1,36 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
+import { figure, looks } from '@/app/benchmarks/engines'
+import { type Results, verdicts } from '@/bench/report'
+import results from '@/bench/results/results.json'
 import { siteUrl } from '@/site.config.mjs'
+import { docs, navigation } from './docs'
+import { heroEffects, heroSnippets } from './hero-snippets'
+import { facts, pitch, ways } from './home'
+import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
 import { readActions, readProps } from './props'
 import { changelog, exampleSource } from './source'
 
 const fence = (lang: string, code: string, title?: string) =>
   `\`\`\`${lang}${title ? ` title="${title}"` : ''}\n${code.trimEnd()}\n\`\`\``
 
+/** A table; a bar in a cell would end it. */
+function table(head: string[], rows: string[][]) {
+  const line = (cells: string[]) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`
+  return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n')
+}
+
+const add = (name: string) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`)
+
 /** What each component of a page becomes in Markdown; '' for what only a browser can show. */
 const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ActionsTable: () =>
-    [
-      '| Action | What it does |',
-      '| --- | --- |',
-      ...readActions().map(({ name, description }) => `| \`${name}()\` | ${description} |`),
-    ].join('\n'),
+    table(
+      ['Action', 'What it does'],
+      readActions().map(({ name, description }) => [`\`${name}()\``, description]),
+    ),
   AddNamespace: () => fence('bash', `npx shadcn@latest registry add @liten=${siteUrl}/r/{name}.json`),
-  AddCommand: ({ name }) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`),
+  AddCommand: ({ name }) => add(name),
   Changelog: changelog,
   Command: ({ add, run }) => fence('bash', add ? `npm install ${add}` : `npx ${run}`),
   ComponentPreview: ({ name }) => fence('tsx', exampleSource(name), `${name}.tsx`),
@@ -26,14 +40,16 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
   HardScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   ScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
-  PropsTable: () => {
-    const cell = (text: string) => text.replaceAll('|', '\\|')
-    const rows = readProps().map(
-      (prop) =>
-        `| \`${prop.name}\` | \`${cell(prop.type)}\` | ${prop.fallback ? `\`${prop.fallback}\`` : '–'} | ${cell(prop.description)} |`,
-    )
-    return ['| Prop | Type | Default | What it does |', '| --- | --- | --- | --- |', ...rows].join('\n')
-  },
+  PropsTable: () =>
+    table(
+      ['Prop', 'Type', 'Default', 'What it does'],
+      readProps().map((prop) => [
+        `\`${prop.name}\``,
+        `\`${prop.type}\``,
+        prop.fallback ? `\`${prop.fallback}\`` : '–',
+        prop.description,
+      ]),
+    ),
 }
 
 /** A page of the docs as plain Markdown. Throws on a component that `parts` doesn't know. */
@@ -61,4 +77,86 @@ export function docMarkdown(doc: Doc): string {
     .replace(/\n{3,}/g, '\n\n')
     .trim()
   return `# ${doc.title}\n\n> ${doc.description}\n\n${body}\n`
+}
+
+const page = (title: string, description: string, ...blocks: string[]) =>
+  `${[`# ${title}`, `> ${description}`, ...blocks].join('\n\n')}\n`
+
+/** The twin of a page of ours, which has the same address with .md behind it. */
+const twinOf = (href: string) => `${siteUrl}${href}.md`
+
+const home = () =>
+  page(
+    pitch.title,
+    pitch.lead,
+    add('gravity-stack'),
+    facts()
+      .map(({ figure, title, text }) => `- **${figure}** ${title}. ${text}`)
+      .join('\n'),
+    ...heroEffects.flatMap((effect) => [
+      `## ${effect[0].toUpperCase()}${effect.slice(1)}`,
+      fence('tsx', heroSnippets[effect]),
+    ]),
+    '## On from here',
+    [...ways, { title: 'Docs', href: '/docs', text: 'All pages.' }]
+      .map(({ title, href, text }) => `- [${title}](${twinOf(href)}): ${text}`)
+      .join('\n'),
+  )
+
+const index = () =>
+  page(
+    'Docs',
+    'Everything about the component, from the first install to the last decimal.',
+    ...navigation.flatMap(({ title, pages }) => [
+      `## ${title}`,
+      pages.map((at) => `- [${at.title}](${twinOf(at.href)}): ${at.description}`).join('\n'),
+    ]),
+  )
+
+const playground = () =>
+  page(
+    'Playground',
+    'Turn the props, watch the solver think, take the code.',
+    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out stays as it is.`,
+    table(
+      ['In the address', 'Values', 'Default'],
+      Object.entries(defaults).map(([name, value]) => {
+        const range = ranges[name as keyof typeof ranges]
+        const values =
+          { shape: shapes.join(', '), look: chipLooks.join(', '), words: 'words with commas between' }[
+            name
+          ] ?? (range ? `${range[0]} to ${range[1]}` : 'true, false')
+        return [`\`${name}\``, values, String(value)]
+      }),
+    ),
+    'Untouched, it makes this:',
+    fence('tsx', codeOf(defaults)),
+  )
+
+const benchmarks = () =>
+  page(
+    'Run time against error',
+    'Run time against error for Gravity Stack and every engine beside it, scene by scene.',
+    `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
+    table(
+      ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact'],
+      verdicts(results as unknown as Results).map(({ scene, measure, error, cost, asCheap, asExact }) => [
+        `${scene.title}: ${scene.measures[measure].name}`,
+        `${figure(error)} ${scene.measures[measure].unit}`,
+        figure(cost),
+        asCheap
+          ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error`
+          : 'nobody is as cheap',
+        asExact ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost` : 'nobody',
+      ]),
+    ),
+  )
+
+/** Every page as Markdown, by the path of its twin. */
+export const twins: Record<string, () => string> = {
+  'index.md': home,
+  'docs.md': index,
+  'playground.md': playground,
+  'benchmarks.md': benchmarks,
+  ...Object.fromEntries(docs.map((doc) => [`docs/${doc.slug}.md`, () => docMarkdown(doc)])),
 }

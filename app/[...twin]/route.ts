@@ -1,13 +1,19 @@
-import { docs, findDoc } from '@/lib/docs'
-import { docMarkdown } from '@/lib/markdown'
+import { twins } from '@/lib/markdown'
 
-// Every page of the docs as Markdown, at its own address with .md behind it.
+// Every page as Markdown, at its own address with .md behind it.
 export const dynamic = 'force-static'
 export const dynamicParams = false
-export const generateStaticParams = () => docs.map(({ slug }) => ({ twin: ['docs', `${slug}.md`] }))
+
+/** While developing, next.config.mjs sends /docs/….md through here: /docs/[slug] would take it for a page. */
+const developed = (path: string) =>
+  process.env.NODE_ENV === 'development' ? [path, `twins/${path}`] : [path]
+
+export const generateStaticParams = () =>
+  Object.keys(twins)
+    .flatMap(developed)
+    .map((path) => ({ twin: path.split('/') }))
 
 export async function GET(_request: Request, { params }: RouteContext<'/[...twin]'>) {
-  const { twin } = await params
-  const { doc } = findDoc(twin[1].replace(/\.md$/, ''))
-  return new Response(docMarkdown(doc), { headers: { 'content-type': 'text/markdown; charset=utf-8' } })
+  const path = (await params).twin.join('/').replace(/^twins\//, '')
+  return new Response(twins[path](), { headers: { 'content-type': 'text/markdown; charset=utf-8' } })
 }

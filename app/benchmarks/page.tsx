@@ -3,6 +3,8 @@ import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
 import { frontier, ours, points, type Results, type Verdict, verdicts } from '@/bench/report'
 import data from '@/bench/results/results.json'
+import { PageEnd } from '@/components/page-end'
+import { PageTools } from '@/components/page-tools'
 import { InBrowser } from './browser'
 import { engineOrder, figure, looks, settingTitle } from './engines'
 import { Marks, Plot, type PlotLine } from './plot'
@@ -77,6 +79,7 @@ export default function Benchmarks() {
         <Download file="costs.csv" />. To repeat it:{' '}
         <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">npm run bench</code>
       </p>
+      <PageTools className="mt-4" twin="/benchmarks.md" source="app/benchmarks/page.tsx" />
 
       <Section id="claim" title="The claim, scene by scene">
         <p className="max-w-3xl text-muted-foreground leading-relaxed">
@@ -215,6 +218,7 @@ export default function Benchmarks() {
           </li>
         </ul>
       </Section>
+      <PageEnd path="/benchmarks" />
     </main>
   )
 }

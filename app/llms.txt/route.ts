@@ -1,10 +1,12 @@
-import { docs } from '@/lib/docs'
+import { navigation } from '@/lib/docs'
 import { siteUrl } from '@/site.config.mjs'
 
 export const dynamic = 'force-static'
 
 export function GET() {
-  const pages = docs.map((doc) => `- [${doc.title}](${siteUrl}/docs/${doc.slug}.md): ${doc.description}`)
+  const pages = navigation
+    .flatMap((section) => section.pages)
+    .map(({ title, href, description }) => `- [${title}](${siteUrl}${href}.md): ${description}`)
   return new Response(`# Gravity Stack
 
 > A React component whose children drop in, tumble and settle into a pile that people can grab and toss. One file, its own rigid-body solver, added with the shadcn CLI or by copying.

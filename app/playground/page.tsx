@@ -1,4 +1,6 @@
 import type { Metadata } from 'next'
+import { PageEnd } from '@/components/page-end'
+import { PageTools } from '@/components/page-tools'
 import { Playground } from '@/components/playground'
 
 export const metadata: Metadata = {
@@ -16,7 +18,9 @@ export default function PlaygroundPage() {
         Turn the props, watch the solver think, take the code. The address holds your settings: pass it on and
         others see your pile.
       </p>
+      <PageTools className="mt-4" twin="/playground.md" source="app/playground/page.tsx" />
       <Playground />
+      <PageEnd path="/playground" />
     </main>
   )
 }

@@ -1,13 +1,18 @@
 'use client'
 
-import dynamic from 'next/dynamic'
+import { type ComponentType, lazy } from 'react'
 
-// Each in a file of its own for the browser, so that a page brings only the figures that it shows.
-export const FlightFigure = dynamic(() => import('./flight').then((file) => file.FlightFigure))
-export const FrictionFigure = dynamic(() => import('./friction').then((file) => file.FrictionFigure))
-export const HardScenesFigure = dynamic(() => import('./hard').then((file) => file.HardScenesFigure))
-export const ImpactFigure = dynamic(() => import('./impact').then((file) => file.ImpactFigure))
-export const IslandsFigure = dynamic(() => import('./islands').then((file) => file.IslandsFigure))
-export const SagFigure = dynamic(() => import('./sag').then((file) => file.SagFigure))
-export const ScenesFigure = dynamic(() => import('./scenes').then((file) => file.ScenesFigure))
-export const SubstepsFigure = dynamic(() => import('./substeps').then((file) => file.SubstepsFigure))
+/** In a file of its own for the browser, so that a page brings only the figures that it shows. */
+function figure(load: () => Promise<ComponentType>) {
+  const Figure = lazy(async () => ({ default: await load() }))
+  return () => <Figure />
+}
+
+export const FlightFigure = figure(async () => (await import('./flight')).FlightFigure)
+export const FrictionFigure = figure(async () => (await import('./friction')).FrictionFigure)
+export const HardScenesFigure = figure(async () => (await import('./hard')).HardScenesFigure)
+export const ImpactFigure = figure(async () => (await import('./impact')).ImpactFigure)
+export const IslandsFigure = figure(async () => (await import('./islands')).IslandsFigure)
+export const SagFigure = figure(async () => (await import('./sag')).SagFigure)
+export const ScenesFigure = figure(async () => (await import('./scenes')).ScenesFigure)
+export const SubstepsFigure = figure(async () => (await import('./substeps')).SubstepsFigure)

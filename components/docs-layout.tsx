@@ -1,8 +1,9 @@
 import type { ReactNode } from 'react'
-import { DocsNavigation } from '@/components/docs-navigation'
 import { navigation } from '@/lib/docs'
+import { DocsNavigation } from './docs-navigation'
 
-export default function DocsLayout({ children }: { children: ReactNode }) {
+/** A page of the docs beside their navigation. Not a layout of Next's: those don't know which page they hold. */
+export function DocsLayout({ path, children }: { path: string; children: ReactNode }) {
   return (
     <div className="mx-auto grid w-full max-w-[88rem] flex-1 grid-cols-[minmax(0,1fr)] px-4 sm:px-6 lg:grid-cols-[13rem_minmax(0,1fr)] lg:gap-12">
       <div data-print="hide" className="hidden lg:block">
@@ -10,7 +11,7 @@ export default function DocsLayout({ children }: { children: ReactNode }) {
           aria-label="Docs"
           className="-ml-3 sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto pt-10 pb-10"
         >
-          <DocsNavigation sections={navigation} />
+          <DocsNavigation sections={navigation} path={path} />
         </nav>
       </div>
       {children}

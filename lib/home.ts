@@ -1,0 +1,62 @@
+import 'server-only'
+import { costOf60 } from './bench'
+import { componentSize } from './size'
+
+// What the home page says, for the page and its Markdown alike.
+export const pitch = {
+  title: 'Words with weight',
+  lead: 'A React component whose children drop in, tumble and settle into a pile. Its own rigid-body solver, in the one file you copy.',
+}
+
+export type Fact = { figure: string; title: string; text: string; more?: { title: string; href: string } }
+
+export function facts(): Fact[] {
+  const cost = costOf60()
+  return [
+    {
+      figure: `${componentSize()} kB`,
+      title: 'the whole component',
+      text: 'Minified and compressed, solver and all, beside React, Motion and cn.',
+    },
+    {
+      figure: '1',
+      title: 'file, yours once copied',
+      text: 'It reads as if you had written it: a room for each job, every number with its unit and its reason.',
+    },
+    {
+      figure: '0',
+      title: 'frames at rest',
+      text: 'Chips that lie still sleep, and the loop ends with the last of them. Off screen nothing runs at all.',
+    },
+    cost
+      ? {
+          figure: `${cost.micros} µs`,
+          title: 'a frame, 60 chips awake',
+          text: `Measured on ${cost.cpu}, beside every other engine and against exact answers.`,
+          more: { title: 'Benchmarks', href: '/benchmarks' },
+        }
+      : {
+          figure: '4',
+          title: 'shapes, one family',
+          text: 'Pill, disc, card or box: a child collides as it is drawn, from its measured size and corner radius.',
+        },
+  ]
+}
+
+export const ways = [
+  {
+    title: 'Playground',
+    href: '/playground',
+    text: 'Turn every prop, step through the fall, take the code.',
+  },
+  {
+    title: 'How it works',
+    href: '/docs/how-it-works',
+    text: 'Six ideas, each with a figure that runs the solver under your fingers.',
+  },
+  {
+    title: 'Accessibility',
+    href: '/docs/accessibility',
+    text: 'Reduced motion, keyboard, screen reader, touch, paper: criterion by criterion.',
+  },
+]
