@@ -37,6 +37,7 @@ const speeds = [
 /** px, how long the overlay draws the weight of a mean chip, and the longest force. */
 const weightLength = 12
 const longestForce = 80
+const asleepColour = '#bab3ab'
 
 type Held = ReturnType<Pile['world']['grab']>
 
@@ -107,12 +108,12 @@ export function Playground() {
     const { touches, islands } = inspect(world)
     states.forEach((state, chip) => {
       const island = islands.get(ids[chip]) ?? 0
-      context.globalAlpha = 0.75
       drawChip(context, sizes[chip], state, {
-        fill: state.asleep ? palette.muted : chipColours[island % chipColours.length],
+        fill: state.asleep ? asleepColour : chipColours[island % chipColours.length],
+        stroke: palette.foreground,
+        dash: state.asleep ? [3, 3] : [],
+        label: elements[chip].textContent ?? '',
       })
-      context.globalAlpha = 1
-      drawChip(context, sizes[chip], state, { stroke: palette.foreground, dash: state.asleep ? [3, 3] : [] })
     })
     const pixels = weightLength / (meanMass(world) * Math.max(gravity, 1))
     for (const { x, y, forceX, forceY } of touches) {

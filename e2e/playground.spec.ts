@@ -2,20 +2,24 @@ import { expect, type Page, test } from '@playwright/test'
 
 const stage = '[data-slot=playground-stage]'
 
-/** Colours on the overlay, with how many px each has; a hull's fill is let through by a quarter, its lines are not. */
+/** How many colours of islands the overlay shows, and how many px are grey or the red of contacts. */
 const colours = (page: Page) =>
   page.locator(`${stage} canvas`).evaluate((canvas: HTMLCanvasElement) => {
     const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height)
-    const fills = new Map<string, number>()
-    let red = 0
+    const islands = new Map<string, number>()
+    const count = { grey: 0, red: 0 }
     for (let i = 0; i < data.length; i += 4) {
       const [r, g, b, alpha] = data.subarray(i, i + 4)
-      // Eight steps a channel: what the canvas rounds is one colour.
-      const colour = [r, g, b].map((channel) => channel >> 5).join()
-      if (Math.abs(alpha - 191) < 2) fills.set(colour, (fills.get(colour) ?? 0) + 1)
-      if (alpha === 255 && r > 180 && g < 120 && b < 110) red++
+      if (alpha < 255) continue
+      if (r === 0xba && g === 0xb3 && b === 0xab) count.grey++
+      else if (r > 180 && g < 110 && b < 110) count.red++
+      else if (Math.max(r, g, b) - Math.min(r, g, b) > 60) {
+        const colour = [r, g, b].join()
+        islands.set(colour, (islands.get(colour) ?? 0) + 1)
+      }
     }
-    return { fills: [...fills.values()].filter((count) => count > 300).length, red }
+    // A hull has thousands, a smoothed edge a few.
+    return { ...count, islands: [...islands.values()].filter((pixels) => pixels > 800).length }
   })
 
 test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their impulses', async ({
@@ -24,10 +28,12 @@ test('the overlay tints islands while they move, greys what sleeps, and draws co
   await page.goto('/playground?count=12&shape=boxes&stagger=100')
   await page.getByRole('button', { name: 'Overlay' }).click()
   await expect(page.getByText('Dots are contact points')).toBeVisible()
-  await expect.poll(async () => (await colours(page)).fills, { intervals: [50] }).toBeGreaterThan(2)
+  await expect.poll(async () => (await colours(page)).islands, { intervals: [50] }).toBeGreaterThan(2)
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting', { timeout: 30_000 })
-  const { fills, red } = await colours(page)
-  expect(fills).toBe(1)
+  const { islands, grey, red } = await colours(page)
+  expect(islands).toBe(0)
+  expect(grey).toBeGreaterThan(12 * 800)
+  // Two points and two lines at least under each box.
   expect(red).toBeGreaterThan(12 * 2 * 6)
 })
 

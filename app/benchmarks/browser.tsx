@@ -29,7 +29,7 @@ const dropOf = ({ drops }: StageResult, chips: number, throttle: number): Drop |
 function scriptRow(chips: number, throttle: number, goal?: string, met?: (drop: Drop) => boolean): Row {
   const named = throttle > 1 ? `, processor slowed ${throttle} times` : ''
   return {
-    name: `Script a frame, ${chips} chips${named}: median / 99 % / worst, ms`,
+    name: `Script a frame, ${chips.toLocaleString('en')} chips${named}: median / 99 % / worst, ms`,
     goal,
     met: met && ((result) => met(dropOf(result, chips, throttle)!)),
     value: (result) => three(dropOf(result, chips, throttle)!.script),
@@ -37,6 +37,7 @@ function scriptRow(chips: number, throttle: number, goal?: string, met?: (drop: 
 }
 
 const most = 1000
+const thousands = most.toLocaleString('en')
 
 const rows: Row[] = [
   scriptRow(
@@ -49,13 +50,13 @@ const rows: Row[] = [
   scriptRow(250, 1, '0.8 median', ({ script }) => script.median <= 0.8),
   scriptRow(most, 1),
   {
-    name: `Frames a second, ${most} chips`,
+    name: `Frames a second, ${thousands} chips`,
     goal: '60',
     met: (result) => dropOf(result, most, 1)!.rate > 58,
     value: (result) => dropOf(result, most, 1)!.rate.toFixed(0),
   },
   {
-    name: `The browser’s own part of a frame, ${most} chips: style and layout / paint / compositing, ms`,
+    name: `The browser’s own part of a frame, ${thousands} chips: style and layout / paint / compositing, ms`,
     value: (result) => {
       const { style, paint, raster, compositor } = dropOf(result, most, 1)!
       return `${ms(style.median)} / ${ms(paint.median)} / ${ms(raster + compositor)}`
@@ -113,7 +114,7 @@ const rows: Row[] = [
     value: ({ heap }) => kB(heap.perFrame),
   },
   {
-    name: `What the heap keeps after 30 s of that`,
+    name: 'What the heap keeps after 30 s of that',
     value: ({ heap }) => kB(Math.max(0, heap.growth)),
   },
 ]
