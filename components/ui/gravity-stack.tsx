@@ -27,6 +27,12 @@ const FRICTION = 0.4
 /** 1/s, air drag on the velocity and on the spin. */
 const LINEAR_DAMPING = 0.35
 const ANGULAR_DAMPING = 1.4
+/**
+ * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
+ * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
+ */
+const ROLLING = 0.02
+const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */
@@ -73,7 +79,7 @@ const MARGIN = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
-const REFRESH = 0.6
+const REFRESH = 0.3
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
@@ -1751,6 +1757,8 @@ function kick(
   const { state, motion, shape, stirred } = scene.bodies
   const gravity = scene.gravity
   const half = 0.5 * air.h
+  // What nothing brakes in the air rolls for ever as well: so it is measured.
+  const rolling = spinAir.fade < 1 ? ROLLING : 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
     const s = i * STATE
@@ -1768,7 +1776,9 @@ function kick(
     motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * pushSpin
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
-    const toSpin = spinAir.fade * spin + pushSpin
+    let toSpin = spinAir.fade * spin + pushSpin
+    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
+    toSpin -= Math.max(-grip, Math.min(grip, ROLLING_SHARE * toSpin))
     state[s + VX] = motion[m + KICK_X] = toX
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
@@ -2754,7 +2764,6 @@ function createWorld(options: WorldOptions) {
         const j = contacts.pair[edge ^ 1]
         if (j === 0 || bodies.asleep[j] === 0) continue
         const c = edge >> 1
-        const k = c * CONTACT
         const s = i * STATE
         const speed =
           Math.abs(state[s + VX]) +
@@ -2762,29 +2771,15 @@ function createWorld(options: WorldOptions) {
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (gapBound(bodies, contacts, c) > go + MARGIN) continue
-        touch[WIDEST] = MARGIN
+        touch[WIDEST] = go + MARGIN
         measure(bodies, contacts, walls, c)
         contacts.measured++
-        if (
-          contacts.data[k + POINTS] === 0
-            ? touch[DISTANCE] < go
-            : touch[DISTANCE] < -4 * SLOP || closing(c) > IMPACT_SPREAD
-        )
-          wake(j)
+        for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
+          probe(bodies, contacts, c, p)
+          if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(j)
+        }
       }
     }
-  }
-
-  /** px/s, at which the bodies of contact `c` approach along its normal at their centres. */
-  function closing(c: number): number {
-    const s = bodies.state
-    const a = contacts.pair[2 * c] * STATE
-    const b = contacts.pair[2 * c + 1] * STATE
-    const k = c * CONTACT
-    return -(
-      contacts.data[k + NX] * (s[b + VX] - s[a + VX]) +
-      contacts.data[k + NY] * (s[b + VY] - s[a + VY])
-    )
   }
 
   // The step ---------------------------------------------------------------------------------------------------------
@@ -3419,16 +3414,15 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
-  const probe = root.appendChild(root.ownerDocument.createElement('i'))
-  const at = (left: number, top: number) => {
-    probe.style.cssText = `position:absolute;left:${left}px;top:${top}px`
-    return probe.getBoundingClientRect()
-  }
+  const probes = [0, 1, 2].map((i) => {
+    const probe = root.appendChild(root.ownerDocument.createElement('i'))
+    probe.style.cssText = `position:absolute;left:${i === 1 ? 1000 : 0}px;top:${i === 2 ? 1000 : 0}px`
+    return probe
+  })
+  // All are written before any is read: one layout.
   const box = root.getBoundingClientRect()
-  const o = at(0, 0)
-  const u = at(1000, 0)
-  const v = at(0, 1000)
-  probe.remove()
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
+  for (const probe of probes) probe.remove()
   const map = new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
     .scale(0.001)
     .inverse()

@@ -9,6 +9,12 @@ export const FRICTION = 0.4
 /** 1/s, air drag on the velocity and on the spin. */
 export const LINEAR_DAMPING = 0.35
 export const ANGULAR_DAMPING = 1.4
+/**
+ * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
+ * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
+ */
+export const ROLLING = 0.02
+export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */
@@ -55,7 +61,7 @@ export const MARGIN = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 export const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
-export const REFRESH = 0.6
+export const REFRESH = 0.3
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2

@@ -36,6 +36,8 @@ import {
   MAX_SPEED,
   PUSH,
   REFRESH,
+  ROLLING,
+  ROLLING_SHARE,
   SLOP,
   WALL_REFRESH,
 } from './constants'
@@ -86,6 +88,8 @@ export function kick(
   const { state, motion, shape, stirred } = scene.bodies
   const gravity = scene.gravity
   const half = 0.5 * air.h
+  // What nothing brakes in the air rolls for ever as well: so it is measured.
+  const rolling = spinAir.fade < 1 ? ROLLING : 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
     const s = i * STATE
@@ -103,7 +107,9 @@ export function kick(
     motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * pushSpin
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
-    const toSpin = spinAir.fade * spin + pushSpin
+    let toSpin = spinAir.fade * spin + pushSpin
+    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
+    toSpin -= Math.max(-grip, Math.min(grip, ROLLING_SHARE * toSpin))
     state[s + VX] = motion[m + KICK_X] = toX
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin

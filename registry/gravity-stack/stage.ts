@@ -133,16 +133,15 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
-  const probe = root.appendChild(root.ownerDocument.createElement('i'))
-  const at = (left: number, top: number) => {
-    probe.style.cssText = `position:absolute;left:${left}px;top:${top}px`
-    return probe.getBoundingClientRect()
-  }
+  const probes = [0, 1, 2].map((i) => {
+    const probe = root.appendChild(root.ownerDocument.createElement('i'))
+    probe.style.cssText = `position:absolute;left:${i === 1 ? 1000 : 0}px;top:${i === 2 ? 1000 : 0}px`
+    return probe
+  })
+  // All are written before any is read: one layout.
   const box = root.getBoundingClientRect()
-  const o = at(0, 0)
-  const u = at(1000, 0)
-  const v = at(0, 1000)
-  probe.remove()
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
+  for (const probe of probes) probe.remove()
   const map = new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
     .scale(0.001)
     .inverse()

@@ -30,7 +30,7 @@ import {
   X,
   Y,
 } from './body'
-import { DISTANCE, touch, WIDEST } from './collide'
+import { COUNT, GAP_NOW, RATE_NOW, touch, WIDEST } from './collide'
 import {
   AHEAD,
   ANGULAR_DAMPING,
@@ -66,9 +66,8 @@ import {
   LAG,
   LOAD,
   measure,
-  NX,
-  NY,
   POINTS,
+  probe,
   RATE,
   reserveHeads,
   SECOND,
@@ -273,7 +272,6 @@ export function createWorld(options: WorldOptions) {
         const j = contacts.pair[edge ^ 1]
         if (j === 0 || bodies.asleep[j] === 0) continue
         const c = edge >> 1
-        const k = c * CONTACT
         const s = i * STATE
         const speed =
           Math.abs(state[s + VX]) +
@@ -281,29 +279,15 @@ export function createWorld(options: WorldOptions) {
           bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
         const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
         if (gapBound(bodies, contacts, c) > go + MARGIN) continue
-        touch[WIDEST] = MARGIN
+        touch[WIDEST] = go + MARGIN
         measure(bodies, contacts, walls, c)
         contacts.measured++
-        if (
-          contacts.data[k + POINTS] === 0
-            ? touch[DISTANCE] < go
-            : touch[DISTANCE] < -4 * SLOP || closing(c) > IMPACT_SPREAD
-        )
-          wake(j)
+        for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
+          probe(bodies, contacts, c, p)
+          if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(j)
+        }
       }
     }
-  }
-
-  /** px/s, at which the bodies of contact `c` approach along its normal at their centres. */
-  function closing(c: number): number {
-    const s = bodies.state
-    const a = contacts.pair[2 * c] * STATE
-    const b = contacts.pair[2 * c + 1] * STATE
-    const k = c * CONTACT
-    return -(
-      contacts.data[k + NX] * (s[b + VX] - s[a + VX]) +
-      contacts.data[k + NY] * (s[b + VY] - s[a + VY])
-    )
   }
 
   // The step ---------------------------------------------------------------------------------------------------------
