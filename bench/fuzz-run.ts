@@ -71,6 +71,7 @@ export function playFuzz(given: FuzzScene, only?: Check): Failure | undefined {
   const scene = sane(given)
   const { gravity } = scene.conditions
   const ask = asked(scene)
+  if (only && only in ask && !ask[only as keyof typeof ask]) return
   const world = createWorld({ width: given.width, height: given.height, ...given.conditions })
   const ids = given.chips.map((chip) => world.add(chip))
   let chips: (Chip | undefined)[] = [...scene.chips]

@@ -43,7 +43,7 @@ const chip = (oddly: number, speed: number): fc.Arbitrary<Chip> =>
     radius: mostly(radius, oddly),
     x: mostly(whole(0, 1000), oddly),
     y: mostly(whole(-200, 600), oddly),
-    angle: tenths(-4, 4),
+    angle: mostly(tenths(-4, 4), oddly),
     vx: mostly(whole(-speed, speed), oddly),
     vy: mostly(whole(-speed, speed), oddly),
     spin: mostly(tenths(-Math.ceil(speed / 200), Math.ceil(speed / 200)), oddly),

@@ -21,7 +21,7 @@ import {
   SubstepsFigure,
 } from './lab'
 import { ActionsTable, PropsTable } from './props-table'
-import { HardScenesTable, ScenesTable } from './scenes-table'
+import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
 /** A heading whose words are a link to itself. */
@@ -78,6 +78,7 @@ const components: Record<string, unknown> = {
   ElevationLadder,
   FlightFigure,
   FrictionFigure,
+  FuzzTable,
   HardScenesFigure,
   HardScenesTable,
   ImpactFigure,

@@ -1,6 +1,8 @@
 import { Fragment } from 'react'
+import fuzzMisses from '@/bench/fuzz-misses.json'
 import hardRows from '@/bench/results/stability.json'
 import { scenes } from '@/scenes'
+import { checks } from '@/scenes/fuzzed'
 import { type HardFigures, hardScenes, hardUnits, hardWords } from '@/scenes/hard'
 import { filmOf } from './lab/film'
 import { shortFigure } from './lab/short-figure'
@@ -87,4 +89,32 @@ export function HardScenesTable() {
     return { title, rows }
   })
   return <Rows label="Scenes that break solvers" bound="Bound" scenes={list} />
+}
+
+/** What holds in every random scene, and in how many of the first 2,000 it does not yet. */
+export function FuzzTable() {
+  const misses: Partial<Record<string, number>> = fuzzMisses
+  return (
+    <ScrollTable label="Random scenes">
+      <thead>
+        <tr className="border-b text-muted-foreground">
+          {['What has to hold', 'Misses in 2,000 scenes'].map((head) => (
+            <th key={head} scope="col" className="px-4 py-2.5 font-medium">
+              {head}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {Object.entries(checks).map(([check, says]) => (
+          <tr key={check} className="border-b align-baseline">
+            <th scope="row" className="min-w-56 px-4 py-1.5 font-normal">
+              {says}
+            </th>
+            <td className="px-4 py-1.5 tabular-nums">{misses[check] ?? 0}</td>
+          </tr>
+        ))}
+      </tbody>
+    </ScrollTable>
+  )
 }

@@ -38,6 +38,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ElevationLadder: () => '',
   Install: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
+  FuzzTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   HardScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   ScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
   PropsTable: () =>

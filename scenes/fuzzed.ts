@@ -44,7 +44,7 @@ export const toJson = (value: unknown) =>
   JSON.stringify(
     value,
     (_, part) => (typeof part === 'number' && !Number.isFinite(part) ? String(part) : part),
-    1,
+    2,
   )
 export const fromJson = (text: string) => JSON.parse(text, reviver)
 
@@ -86,8 +86,8 @@ export function sane(scene: FuzzScene): FuzzScene {
         chip.density !== undefined && chip.density > 0 && chip.density < 1e300 ? chip.density : 1
       return {
         ...shapeOf(chip),
-        x: finite(chip.x, 0),
-        y: finite(chip.y, 0),
+        x: within(chip.x, -1e6, 1e6, 0),
+        y: within(chip.y, -1e6, 1e6, 0),
         angle: within(chip.angle, -1e6, 1e6, 0),
         vx: vx * slower,
         vy: vy * slower,
