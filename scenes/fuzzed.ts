@@ -39,13 +39,13 @@ export type Found = { name: string; check: Check; open?: true; scene: FuzzScene 
 const reviver = (_: string, value: unknown) =>
   value === 'NaN' || value === 'Infinity' || value === '-Infinity' ? Number(value) : value
 
-/** JSON with the numbers that JSON has no word for. */
+/** JSON with the numbers that JSON has no word for, as the formatter likes it. */
 export const toJson = (value: unknown) =>
   JSON.stringify(
     value,
     (_, part) => (typeof part === 'number' && !Number.isFinite(part) ? String(part) : part),
     2,
-  )
+  ).replaceAll('e+', 'e')
 export const fromJson = (text: string) => JSON.parse(text, reviver)
 
 export const foundScenes: Found[] = fromJson(JSON.stringify(found))
