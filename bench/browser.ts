@@ -1,6 +1,6 @@
 // What the stage costs in a real browser, beside two others of the same chips: one of the method of the component's first
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
-//   npm run bench:browser                            writes bench/results/browser.json; under four minutes
+//   npm run bench:browser                            writes bench/results/browser.json; about four minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
 import { execFileSync } from 'node:child_process'
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -23,7 +23,7 @@ const drops = [
   [60, 150, 4],
   [60, 150, 1],
   [250, 10, 1],
-  [1000, 3, 1],
+  [1000, 5, 1],
 ] as const
 /** s that a stage which never rests is watched after its last release. */
 const watched = 2

@@ -134,7 +134,7 @@ export function InBrowser({ download }: { download: ReactNode }) {
     <>
       <p className="max-w-3xl text-muted-foreground leading-relaxed">
         The whole stage in a page, from the server’s markup to rest: 60 chips at the default 150 ms, 250 at 10
-        ms, 1,000 at 3 ms between releases. Beside it a stage of this component’s first design, its method
+        ms, 1,000 at 5 ms between releases. Beside it a stage of this component’s first design, its method
         written afresh with a loop that never ends, and one of Matter as its users build it: Engine, Runner, a
         mouse constraint, and DOM elements whose transforms are written in each frame. Times come from the
         browser’s trace of the main thread, from the first frame of the drop until all lie still, or two
