@@ -214,7 +214,7 @@ test('resized with every frame for ten seconds, collapsed to nothing and back, t
       if (i % 70 > 60) root.style.height = root.style.width = '0'
       await window.probe.pass(1)
     }
-    root.style.cssText = 'width: 640px; height: 340px'
+    root.style.cssText = 'width: 460px; height: 300px'
     await window.probe.pass(2)
   })
   await stage.reaches('resting')
