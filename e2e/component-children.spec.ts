@@ -110,6 +110,34 @@ test('a chip that loses its round corners stands like a box', async ({ stage, pa
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
+test('corners that a script squares in the chip’s own style alone count at once', async ({ stage }) => {
+  await stage.settled('children')
+  const mutations = () => stage.probe((probe) => probe.mutations)
+  const before = await mutations()
+  await stage.chip('three').evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.style.borderRadius = '0'
+  })
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  // Neither the way to the new rest nor anything else that the stage itself writes has woken its observer again.
+  expect((await mutations()) - before).toBe(1)
+  // The face of a chip may be another element by and by.
+  await stage.chip('three').evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.replaceWith(face.cloneNode(true))
+  })
+  await expect.poll(mutations).toBe(before + 2)
+  await stage.chip('three').evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.style.borderRadius = '99px'
+  })
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
 test('a picture that comes late falls once it has a size', async ({ stage, page }) => {
   await stage.settled('children')
   await page.locator('#picture').click()

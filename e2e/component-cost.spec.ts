@@ -51,7 +51,7 @@ test('a chip is drawn again only when one of its corners has gone a tenth of a p
   expect(smallest).toBeGreaterThanOrEqual(0.1)
 })
 
-test('a frame writes each moved chip once, its transform alone, and reads no layout', async ({
+test('a frame writes each moved chip once, its transform alone, reads no layout and wakes no observer', async ({
   stage,
   page,
 }) => {
@@ -60,6 +60,7 @@ test('a frame writes each moved chip once, its transform alone, and reads no lay
   const worst = await page.evaluate(async () => {
     await window.probe.pass(2)
     const reads = window.probe.layoutReads
+    const mutations = window.probe.mutations
     let most = 0
     for (let i = 0; i < 30; i++) {
       const before = window.probe.styleWrites
@@ -69,10 +70,16 @@ test('a frame writes each moved chip once, its transform alone, and reads no lay
     const styles = [...document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')].map((chip) =>
       [...chip.style].join(),
     )
-    return { most, reads: window.probe.layoutReads - reads, styles: [...new Set(styles)] }
+    return {
+      most,
+      reads: window.probe.layoutReads - reads,
+      mutations: window.probe.mutations - mutations,
+      styles: [...new Set(styles)],
+    }
   })
   expect(worst.most).toBeLessThanOrEqual(30)
   expect(worst.reads).toBe(0)
+  expect(worst.mutations).toBe(0)
   expect(worst.styles).toEqual(['transform'])
 })
 

@@ -188,3 +188,26 @@ for (const state of ['waiting', 'running', 'resting']) {
     ).toEqual([])
   })
 }
+
+test('axe finds nothing while the stage is paused in mid-fall', async ({ stage, page }) => {
+  await stage.open('extras')
+  await expect(stage.chips.nth(2)).toHaveAttribute('data-state', 'falling')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  expect((await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations).toEqual(
+    [],
+  )
+  await stage.reaches('paused')
+})
+
+test('axe finds nothing while a chip is held', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const chip = stage.chip('plain')
+  await stage.drag(chip, 20, -60)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect((await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations).toEqual(
+    [],
+  )
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+})

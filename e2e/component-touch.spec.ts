@@ -119,18 +119,92 @@ test('a tap with a finger makes a chip hop and follows a link', async ({ stage, 
   await stage.reaches('resting')
 })
 
-test('the wheel scrolls the page over stage and chips alike', async ({ stage, page }) => {
-  await ready(stage, page)
-  const { x, y } = await stage.centre(stage.chips.nth(1))
-  await page.mouse.move(x, y)
-  await page.mouse.wheel(0, 120)
-  await expect.poll(() => scrolled(page)).toBe(120)
+test('two fingers hold two chips, one after the other', async ({ stage, page }) => {
+  const { session } = await ready(stage, page)
+  const [first, second] = [stage.chips.nth(1), stage.chips.nth(2)]
+  const points = [{ ...(await stage.centre(first)), id: 0 }]
+  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points })
+  await expect(first).toHaveAttribute('data-state', 'held')
+  points.push({ ...(await stage.centre(second)), id: 1 })
+  await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: points })
+  await expect(second).toHaveAttribute('data-state', 'held')
+  await expect(first).toHaveAttribute('data-state', 'held')
+  await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+  await stage.reaches('resting')
 })
 
-test('pinch and sideways gestures are left to the browser but for drags on a chip', async ({
+const zoom = (page: Page) => page.evaluate(() => visualViewport!.scale)
+
+// The stage lies from 100 to 440 px of the page.
+for (const [where, second, rest] of [
+  ['both on a chip', undefined, false],
+  ['both on a chip, after a moment of rest', undefined, true],
+  ['one on a chip and one on the empty stage', 200, true],
+  ['one on a chip and one outside the stage', 50, true],
+] as const) {
+  test(`two fingers that spread zoom the page and leave the pile: ${where}`, async ({ stage, page }) => {
+    const { session } = await ready(stage, page)
+    const { poses } = await stage.pile()
+    const { x, y } = await stage.centre(stage.chips.nth(1))
+    const fingers = (count: number, spread = 0) =>
+      [
+        { x: x - 8 - spread, y, id: 0 },
+        { x: x + 8 + spread, y: second ?? y, id: 1 },
+      ].slice(0, count)
+    for (const count of [1, 2])
+      await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(count) })
+    // Longer than a finger has to rest on a chip to hold it.
+    if (rest) await page.evaluate(() => window.probe.pass(20))
+    for (let spread = 6; spread <= 120; spread += 6) {
+      await session.send('Input.dispatchTouchEvent', {
+        type: 'touchMove',
+        touchPoints: fingers(2, spread),
+      })
+      await page.evaluate(() => window.probe.pass(1))
+    }
+    expect(await stage.states()).not.toContain('held')
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    await expect.poll(() => zoom(page)).toBeGreaterThan(1.5)
+    expect((await stage.pile()).poses).toEqual(poses)
+  })
+}
+
+test('the wheel scrolls the page over the empty stage, over a chip and with a chip in hand; with Ctrl it zooms', async ({
   stage,
   page,
 }) => {
+  await ready(stage, page)
+  await page.mouse.move(320, 110)
+  await page.mouse.wheel(0, 40)
+  await expect.poll(() => scrolled(page)).toBe(40)
+  const chip = stage.chips.nth(1)
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y)
+  await page.mouse.wheel(0, 40)
+  await expect.poll(() => scrolled(page)).toBe(80)
+  await page.mouse.move(x, y - 40)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.wheel(0, 40)
+  await expect.poll(() => scrolled(page)).toBe(120)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  // A trackpad's pinch comes as a wheel with Ctrl, which zooms unless somebody prevents it.
+  const left = page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        addEventListener('wheel', ({ ctrlKey, defaultPrevented }) => resolve({ ctrlKey, defaultPrevented }))
+      }),
+  )
+  const at = await stage.centre(chip)
+  await page.mouse.move(at.x, at.y)
+  await page.keyboard.down('Control')
+  await page.mouse.wheel(0, -40)
+  expect(await left).toEqual({ ctrlKey: true, defaultPrevented: false })
+  await page.keyboard.up('Control')
+})
+
+test('sideways gestures are left to the browser but for drags on a chip', async ({ stage, page }) => {
   await ready(stage, page)
   expect(await stage.root.evaluate((root) => getComputedStyle(root).touchAction)).toBe('auto')
   expect(await stage.chips.first().evaluate((chip) => getComputedStyle(chip).touchAction)).toBe(

@@ -9,14 +9,14 @@ const all = Array.from({ length: 400 }, (_, i) => i)
 
 describe('the drop', () => {
   it('is the same at every visit and in every browser: pinned to the last bit', () => {
-    expect([scatter(0, 0), scatter(41, 5)]).toEqual([0.007765133399516344, 0.6461273601744324])
+    expect([scatter(0, 0), scatter(41, 5)]).toEqual([0.6180339887498949, 0.39964898327889387])
     expect(pose(7)).toEqual({
-      x: 391.53476263226594,
-      y: -109.59175983257592,
-      angle: -0.052052101818844676,
-      vx: -25.55347077548504,
+      x: 370.63069082996134,
+      y: -97.15778060609591,
+      angle: 0.2111797498107535,
+      vx: 16.357771068724105,
       vy: 0,
-      spin: 0.9430910484865307,
+      spin: 0.5343666110300546,
     })
     const source = readFileSync(new URL('./drop.ts', import.meta.url), 'utf8')
     expect(source).not.toMatch(/Math\.(random|sin|cos|tan|exp|log|pow|hypot|atan2?)|Date| \*\* /)

@@ -1,7 +1,7 @@
 import { STEP } from './constants'
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So the scatter is integer hashing and + − × ÷ √ only, and a release falls in the middle of a step of the world:
+// So there is + − × ÷ √ only in the scatter, and a release falls in the middle of a step of the world:
 // no rounding of frame times can move it to another one.
 
 /** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
@@ -23,12 +23,10 @@ const TWIST = 1.2
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
-/** A hash of two integers as a number in [0, 1). Mixing steps: Chris Wellons' lowbias32. */
+/** A number in [0, 1) for two integers: squares times an irrational number leave fractions without a pattern. */
 export function scatter(index: number, channel: number): number {
-  let n = Math.imul(index * 8 + channel + 1, 0x9e3779b9)
-  n = Math.imul(n ^ (n >>> 16), 0x7feb352d)
-  n = Math.imul(n ^ (n >>> 15), 0x846ca68b)
-  return ((n ^ (n >>> 16)) >>> 0) / 4294967296
+  const n = index * 8 + channel + 1
+  return (n * n * GOLDEN_SHARE) % 1
 }
 
 /** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */

@@ -155,7 +155,7 @@ function pointerMap(root: HTMLElement) {
 export function createStage(root: HTMLElement): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
-  const chips = new Map<Node, Chip>()
+  const chips = new Map<Element, Chip>()
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
   /** Chips whose release is to come, the next one first. */
@@ -166,7 +166,8 @@ export function createStage(root: HTMLElement): Stage {
   let width = 0
   let height = 0
   let state = 'static'
-  let armed = false
+  /** Running or resting: people may touch it. */
+  let live = false
   let started = false
   let inView = false
   let stopped = false
@@ -180,13 +181,14 @@ export function createStage(root: HTMLElement): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  let listening = new AbortController()
+  /** Ends all listeners. There since the stage first came near the view. */
+  let listening: AbortController | undefined
 
   // Shapes
 
   const sizes = new ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
-      const chip = chips.get(target)
+      const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
       else if (target === root) {
         width = root.clientWidth
@@ -208,27 +210,27 @@ export function createStage(root: HTMLElement): Stage {
   })
 
   function collect() {
-    for (const element of Array.from(root.children)) {
+    for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      const chip = { element, state: 'waiting', width: 0, id: -1 } as unknown as Chip
-      chips.set(element, chip)
+      chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
       if (!still.matches) sizes.observe(element)
     }
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
-      sizes.unobserve(chip.element)
+      sizes.unobserve(element)
       withdraw(chip)
       chips.delete(element)
     }
   }
 
-  function chipAt(node: Node | null) {
-    while (node && !chips.has(node)) node = node.parentNode
-    return chips.get(node as Node)
+  function chipAt(target: EventTarget | null) {
+    let node = target as Element | null
+    while (node && !chips.has(node)) node = node.parentElement
+    return chips.get(node!)
   }
 
-  function reshape(node: EventTarget | null) {
-    const chip = chipAt(node as Node)
+  function reshape(target: EventTarget | null) {
+    const chip = chipAt(target)
     if (chip?.width) shape(chip, chip.width, chip.height)
   }
 
@@ -250,22 +252,23 @@ export function createStage(root: HTMLElement): Stage {
         'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
       )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const corners = getComputedStyle(chip.element.firstElementChild ?? chip.element).borderRadius.split(
-      /[ /]+/,
-    )
+    const face = chip.element.firstElementChild
+    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
+    if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
+    const corners = getComputedStyle(face ?? chip.element).borderRadius.split(/[ /]+/)
     const short = Math.min(chipWidth, chipHeight)
     const radius = Math.min(
-      ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (corner.endsWith('%') ? short / 100 : 1)),
+      ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
     if (chip.width === chipWidth && chip.height === chipHeight && chip.radius === radius) return
+    if (!chip.width) enqueue(chip)
     chip.width = chipWidth
     chip.height = chipHeight
     chip.radius = radius
-    if (chip.id >= 0) {
-      world!.reshape(chip.id, { width: chipWidth, height: chipHeight, radius })
-      draw(chip)
-    } else if (!queue.includes(chip)) enqueue(chip)
+    if (chip.id < 0) return
+    world!.reshape(chip.id, chip)
+    draw(chip)
   }
 
   // Releases
@@ -285,7 +288,7 @@ export function createStage(root: HTMLElement): Stage {
   function enqueue(chip: Chip) {
     chip.turn = turns++
     slot = Math.max(slot, clock)
-    chip.due = releaseTime(chip.turn, slot)
+    chip.due = Math.max(releaseTime(chip.turn, slot), clock)
     slot += options.stagger / 1000
     let place = queue.length
     while (place > 0 && queue[place - 1]!.due > chip.due) place--
@@ -295,7 +298,7 @@ export function createStage(root: HTMLElement): Stage {
   function withdraw(chip: Chip) {
     queue = queue.filter((other) => other !== chip)
     for (const press of presses.values()) if (press.chip === chip) letGo(press)
-    if (chip.id >= 0) world!.remove(chip.id)
+    world?.remove(chip.id)
     chip.id = -1
     mark(chip, 'waiting')
   }
@@ -309,30 +312,28 @@ export function createStage(root: HTMLElement): Stage {
       if (y < reach) obstacles.push({ x, y, reach })
     }
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
-    const { radius } = chip
-    chip.id = world!.add({ width: chip.width, height: chip.height, radius, ...pose })
-    chip.x = chip.y = chip.angle = Number.NaN
+    chip.id = world!.add({ ...chip, ...pose })
+    chip.x = Number.NaN
     bodies[chip.id] = chip
   }
 
   // The loop
 
-  function advance(seconds: number) {
-    const end = clock + seconds
+  function advance(end: number) {
     while (queue[0] && queue[0].due <= end) {
       const chip = queue.shift()!
-      world!.step(Math.max(chip.due - clock, 0))
-      clock = Math.max(chip.due, clock)
+      world!.step(chip.due - clock)
+      clock = chip.due
       release(chip)
     }
     world!.step(end - clock)
     clock = end
   }
 
-  function tick(now: { timestamp: number }) {
-    // The time of the frame itself, where the browser tells: smoother than the moment its callbacks run.
-    const time = Number(page.timeline?.currentTime ?? now.timestamp)
-    advance(Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
+  function tick() {
+    // The time of the frame itself: smoother than the moment its callbacks run.
+    const time = Number(page.timeline.currentTime)
+    advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
     if (world!.resting) sync()
@@ -399,7 +400,8 @@ export function createStage(root: HTMLElement): Stage {
       clearTimeout(timer)
       if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
     }
-    if (!running && next !== 'resting') presses.forEach(letGo)
+    live = running || next === 'resting'
+    if (!live) presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     state = next
@@ -409,7 +411,7 @@ export function createStage(root: HTMLElement): Stage {
 
   function arrive() {
     awaited = undefined
-    advance(Math.max(queue[0]!.due - clock, 0))
+    advance(queue[0]!.due)
     sync()
   }
 
@@ -424,12 +426,11 @@ export function createStage(root: HTMLElement): Stage {
 
   /** The stage comes near the view for the first time. Until then it has done nothing. */
   function arm() {
-    armed = true
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
         'Tailwind has made no styles for it, so nothing can be seen. Is Tailwind set up, and does it scan this file?',
       )
-    changes.observe(root, { attributeFilter: ['class'], childList: true, subtree: true })
+    changes.observe(root, { childList: true, subtree: true })
     collect()
     stillChanged()
     listen()
@@ -437,7 +438,7 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function listen() {
-    listening.abort()
+    listening?.abort()
     listening = new AbortController()
     const { signal } = listening
     const on = (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
@@ -454,6 +455,7 @@ export function createStage(root: HTMLElement): Stage {
     on(root, 'dragstart', (event: Event) => presses.size && event.preventDefault())
     on(root, 'touchmove', scroll, { passive: false })
     const view = page.defaultView!
+    on(view, 'touchstart', pinch)
     on(view, 'pointermove', move)
     on(view, 'pointerup', up)
     on(view, 'pointercancel', up)
@@ -461,11 +463,16 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function scroll(event: TouchEvent) {
-    if (event.cancelable && chipAt(event.target as Node)?.state === 'held') event.preventDefault()
+    if (event.cancelable && chipAt(event.target)?.state === 'held') event.preventDefault()
+  }
+
+  /** Two fingers at once are the browser's. One may join another that already holds a chip. */
+  function pinch({ touches }: TouchEvent) {
+    if (touches[1] && !root.querySelector('[data-state=held]')) presses.forEach(letGo)
   }
 
   function focus({ target }: { target: EventTarget | null }) {
-    const chip = chipAt(target as Node)
+    const chip = chipAt(target)
     if (!chip) return
     toFront(chip)
     // Nobody can use what still waits out of sight.
@@ -486,15 +493,14 @@ export function createStage(root: HTMLElement): Stage {
 
   /** The chip in the world that an event is about, while the stage takes part in things. */
   function touched({ target }: Event) {
-    const chip = chipAt(target as Node)
-    return chip && chip.id >= 0 && (state === 'running' || state === 'resting') ? chip : undefined
+    const chip = chipAt(target)
+    return chip && chip.id >= 0 && live ? chip : undefined
   }
 
   function down(event: PointerEvent) {
     swallowClick = false
-    // Its last release was lost: to a dialog, another frame.
-    const lost = presses.get(event.pointerId)
-    if (lost) letGo(lost)
+    // Its last release may have been lost: to a dialog, another frame.
+    up(event)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
     if ((event.target as Element).closest(EDITABLE)) return
@@ -585,11 +591,9 @@ export function createStage(root: HTMLElement): Stage {
 
   /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
   function kick(chip: Chip, speed: number) {
-    if (chip.id < 0) return
     const either = (channel: number) => 2 * scatter(turns, channel) - 1
     turns++
-    world!.place(chip.id, {
-      ...world!.read(chip.id),
+    world?.place(chip.id, {
       vx: 0.3 * speed * either(1),
       vy: speed * (0.1 * either(2) - 0.9),
       spin: KICK_TWIST * speed * either(3),
@@ -598,10 +602,10 @@ export function createStage(root: HTMLElement): Stage {
 
   watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
     inView = isIntersecting
-    if (inView && !armed) arm()
-    const fills = intersectionRect.height > FILLS_WINDOW * (rootBounds?.height ?? Number.NaN)
+    if (inView && !listening) arm()
+    const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    if (armed) sync()
+    if (listening) sync()
   })
 
   return {
@@ -622,9 +626,9 @@ export function createStage(root: HTMLElement): Stage {
       let changed = false
       for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
         options[name] = sane(name, next[name])
-        if (before && options[name] !== before[name]) changed = true
+        if (options[name] !== before?.[name]) changed = true
       }
-      if (armed && options.interactive !== before.interactive) listen()
+      if (listening && options.interactive !== before.interactive) listen()
       if (!world || !changed) return
       world.configure(options)
       sync()
@@ -651,7 +655,7 @@ export function createStage(root: HTMLElement): Stage {
     destroy() {
       presses.forEach(letGo)
       watcher!.unobserve(root)
-      listening.abort()
+      listening?.abort()
       sizes.disconnect()
       changes.disconnect()
       clearTimeout(timer)
