@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs'
+import { existsSync, readFileSync } from 'node:fs'
 import { expect, test } from '@playwright/test'
 
 test.describe('benchmarks', () => {
@@ -23,6 +23,26 @@ test.describe('benchmarks', () => {
     await expect(marks('rapier')).toHaveCSS('opacity', '1')
     await expect(marks('box2d3-wasm-simd')).toHaveCSS('opacity', '0.12')
     await expect(marks('gravity-stack')).toHaveCSS('opacity', '1')
+  })
+
+  test('what a browser takes is in a table with its date, or the page says that it is not measured', async ({
+    page,
+    request,
+  }) => {
+    const file = 'bench/results/browser.json'
+    await page.goto('/benchmarks')
+    const section = page.locator('section', { has: page.locator('h2#browser') })
+    if (!existsSync(file)) {
+      await expect(section).toContainText('Nothing is measured yet')
+      return
+    }
+    const { date, stages } = JSON.parse(readFileSync(file, 'utf8'))
+    const table = section.getByRole('region', { name: 'In a browser' })
+    await expect(table.getByRole('row')).toHaveCount(17)
+    await expect(table.getByRole('columnheader')).toHaveCount(2 + Object.keys(stages).length)
+    await expect(table).not.toContainText(/NaN|undefined/)
+    await expect(section.locator('time')).toHaveAttribute('datetime', date)
+    expect((await request.get('/benchmarks/browser.json')).ok()).toBe(true)
   })
 
   test('the raw data is there to take', async ({ request }) => {

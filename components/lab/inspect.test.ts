@@ -37,6 +37,19 @@ describe('what the overlay shows', () => {
     })
   })
 
+  it('of a box half over another: the two ends of where they meet', () => {
+    const { world } = worldOf([
+      { ...box, x: 200, y: floor - 20 },
+      { ...box, x: 225, y: floor - 60 },
+    ])
+    settle(world)
+    const upper = inspect(world).touches.filter(({ y }) => Math.abs(y - (floor - 40)) < 1)
+    expect(upper.map(({ x }) => x).toSorted((a, b) => a - b)).toEqual([
+      expect.closeTo(195, 0),
+      expect.closeTo(230, 0),
+    ])
+  })
+
   it('chips that touch as one island, those apart as two', () => {
     const { world, ids } = worldOf([
       { ...box, x: 100, y: floor - 20 },
