@@ -94,7 +94,9 @@ export function playHard(
     through: 0,
   }
   const frames = Math.round(scene.seconds / frame)
-  const calm = Math.round((scene.calmFrom ?? 0) / frame)
+  const calmFrom = typeof scene.calmFrom === 'function' ? scene.calmFrom(chips) : (scene.calmFrom ?? 0)
+  const calm = Math.round(calmFrom / frame)
+  const highest = chips.map(({ y }) => y)
   let before = read()
   const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
   const living = () => chips.filter((_, i) => alive[i])
@@ -111,7 +113,9 @@ export function playHard(
         figures.lost++
         return { figures, hash: world.hash() }
       }
-      figures.speed = Math.max(figures.speed, Math.hypot(vx, vy))
+      highest[i] = Math.min(highest[i], y)
+      const fallen = 2 * scene.conditions.gravity * (y - highest[i])
+      figures.speed = Math.max(figures.speed, Math.sqrt(Math.max(0, vx * vx + vy * vy - fallen)))
     }
     if (watched.has('outside')) {
       for (let i = 0; i < chips.length; i++)

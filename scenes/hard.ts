@@ -29,7 +29,7 @@ export type HardFigures = {
   overlap: number
   /** px of overlap at any time */
   'overlap during': number
-  /** px/s, the fastest chip */
+  /** px/s, the fastest chip, less what it has gained by falling from its highest place */
   speed: number
   /** px, how far the furthest corner is from where it stood */
   drift: number
@@ -63,7 +63,7 @@ export const hardWords: Record<keyof HardFigures, string> = {
   loss: 'energy lost',
   overlap: 'overlap in the end',
   'overlap during': 'overlap at any time',
-  speed: 'fastest chip',
+  speed: 'fastest chip, less its fall',
   drift: 'moved from its place',
   asleep: 'asleep after',
   hanging: 'hanging in the air',
@@ -80,8 +80,8 @@ export type HardScene = {
   seeds: number
   build(seed: number): Chip[]
   act?(frame: number, actor: Actor, seed: number): void
-  /** s, the last disturbance */
-  calmFrom?: number
+  /** s, the last disturbance: an act, or where the fall takes long the landing of the highest chip */
+  calmFrom?: number | ((chips: Chip[]) => number)
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
   bounds: Partial<HardFigures>
@@ -243,7 +243,7 @@ export const hardScenes: HardScene[] = [
     conditions: { ...aired, gravity: 100 },
     seeds: 20,
     build: (seed) => pour('mixed', 40, seed),
-    calmFrom: 5,
+    calmFrom: (chips) => Math.max(...chips.map(({ y }) => Math.sqrt((2 * (stage.height - y)) / 100))),
     bounds: { ...settles, gain: 0.001 },
   },
   {
