@@ -31,7 +31,7 @@ const ANGULAR_DAMPING = 1.4
  * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
  * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-const ROLLING = 0.02
+const ROLLING = 0.03
 const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
@@ -66,8 +66,16 @@ const BALANCE = 0.1
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 const SLOP = 0.004
-/** Share of the remaining overlap that one position sweep takes out. */
+/**
+ * px, overlap beyond the slop at which an island goes on being parted at the end of a step, if nothing in it is faster than this,
+ * px/s, and how often: a jam comes apart, while a pile that still settles would be stirred.
+ */
+const DEEP = 0.02
+const JAMMED = 7
+const PARTINGS = 64
+/** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 const PUSH = 0.5
+const PUSH_LAST = 0.9
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */
@@ -2095,17 +2103,17 @@ function capSpeed(state: Float64Array, s: number): void {
 }
 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
-function part(scene: Scene, c: number, p: number, lazy: boolean): void {
+function part(scene: Scene, c: number, p: number, lazy: boolean): number {
   const { bodies, contacts } = scene
   probe(bodies, contacts, c, p)
   const gap = touch[GAP_NOW] + SLOP
-  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return
+  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return 0
   const s = bodies.state
   const d = contacts.data
   const k = c * CONTACT
   const a = contacts.pair[2 * c] * STATE
   const b = contacts.pair[2 * c + 1] * STATE
-  const push = Math.min(-PUSH * gap, MAX_PUSH) * d[p + MASS]
+  const push = Math.min((lazy ? -PUSH : -PUSH_LAST) * gap, MAX_PUSH) * d[p + MASS]
   const pa = s[a + INV_MASS] * push
   const pb = s[b + INV_MASS] * push
   s[a + X] -= d[k + NX] * pa
@@ -2114,15 +2122,21 @@ function part(scene: Scene, c: number, p: number, lazy: boolean): void {
   s[b + X] += d[k + NX] * pb
   s[b + Y] += d[k + NY] * pb
   s[b + ANGLE] += s[b + INV_INERTIA] * d[p + NB] * push
+  return gap < -DEEP ? 1 : 0
 }
 
-/** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
-function separate(scene: Scene, list: Int32Array, from: number, to: number): void {
+/**
+ * One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy.
+ * Returns how many points it found deeper than rest leaves them.
+ */
+function separate(scene: Scene, list: Int32Array, from: number, to: number): number {
   const d = scene.contacts.data
+  let deep = 0
   for (let i = from; i < to; i++) {
     const k = list[i] * CONTACT
-    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) part(scene, list[i], p, false)
+    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) deep += part(scene, list[i], p, false)
   }
+  return deep
 }
 
 // islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
@@ -2865,7 +2879,8 @@ function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    separate(scene, live, c0, end)
+    let passes = speed > JAMMED ? 1 : PARTINGS
+    while (separate(scene, live, c0, end) > 0 && --passes > 0);
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */

@@ -13,7 +13,7 @@ export const ANGULAR_DAMPING = 1.4
  * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
  * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-export const ROLLING = 0.02
+export const ROLLING = 0.03
 export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
@@ -48,8 +48,16 @@ export const BALANCE = 0.1
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 export const SLOP = 0.004
-/** Share of the remaining overlap that one position sweep takes out. */
+/**
+ * px, overlap beyond the slop at which an island goes on being parted at the end of a step, if nothing in it is faster than this,
+ * px/s, and how often: a jam comes apart, while a pile that still settles would be stirred.
+ */
+export const DEEP = 0.02
+export const JAMMED = 7
+export const PARTINGS = 64
+/** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 export const PUSH = 0.5
+export const PUSH_LAST = 0.9
 /** px, the most a position sweep moves a contact at once: keeps the recovery from deep overlap gentle. */
 export const MAX_PUSH = 4
 /** px, the deepest that a chip may be pressed into a wall at the end of a step. */

@@ -31,10 +31,12 @@ import {
   AHEAD,
   BALANCE,
   CLOSING_SHARE,
+  DEEP,
   MARGIN,
   MAX_PUSH,
   MAX_SPEED,
   PUSH,
+  PUSH_LAST,
   REFRESH,
   ROLLING,
   ROLLING_SHARE,
@@ -426,17 +428,17 @@ export function capSpeed(state: Float64Array, s: number): void {
 }
 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
-function part(scene: Scene, c: number, p: number, lazy: boolean): void {
+function part(scene: Scene, c: number, p: number, lazy: boolean): number {
   const { bodies, contacts } = scene
   probe(bodies, contacts, c, p)
   const gap = touch[GAP_NOW] + SLOP
-  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return
+  if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return 0
   const s = bodies.state
   const d = contacts.data
   const k = c * CONTACT
   const a = contacts.pair[2 * c] * STATE
   const b = contacts.pair[2 * c + 1] * STATE
-  const push = Math.min(-PUSH * gap, MAX_PUSH) * d[p + MASS]
+  const push = Math.min((lazy ? -PUSH : -PUSH_LAST) * gap, MAX_PUSH) * d[p + MASS]
   const pa = s[a + INV_MASS] * push
   const pb = s[b + INV_MASS] * push
   s[a + X] -= d[k + NX] * pa
@@ -445,13 +447,19 @@ function part(scene: Scene, c: number, p: number, lazy: boolean): void {
   s[b + X] += d[k + NX] * pb
   s[b + Y] += d[k + NY] * pb
   s[b + ANGLE] += s[b + INV_INERTIA] * d[p + NB] * push
+  return gap < -DEEP ? 1 : 0
 }
 
-/** One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy. */
-export function separate(scene: Scene, list: Int32Array, from: number, to: number): void {
+/**
+ * One sweep that pushes overlapping poses apart and never touches a velocity, so that correcting adds no energy.
+ * Returns how many points it found deeper than rest leaves them.
+ */
+export function separate(scene: Scene, list: Int32Array, from: number, to: number): number {
   const d = scene.contacts.data
+  let deep = 0
   for (let i = from; i < to; i++) {
     const k = list[i] * CONTACT
-    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) part(scene, list[i], p, false)
+    for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) deep += part(scene, list[i], p, false)
   }
+  return deep
 }

@@ -39,9 +39,11 @@ import {
   FRICTION,
   GRAVITY,
   IMPACT_SPREAD,
+  JAMMED,
   LINEAR_DAMPING,
   LIVELY,
   MARGIN,
+  PARTINGS,
   ROUNDS,
   SLOP,
   STEP,
@@ -373,7 +375,8 @@ export function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    separate(scene, live, c0, end)
+    let passes = speed > JAMMED ? 1 : PARTINGS
+    while (separate(scene, live, c0, end) > 0 && --passes > 0);
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
