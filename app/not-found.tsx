@@ -3,6 +3,8 @@ import { LostWords } from '@/components/lost-words'
 
 export const metadata: Metadata = { title: 'Page not found' }
 
+const words = ['This', 'page', 'fell', 'down', 'and', 'nobody', 'picked', 'it', 'up.']
+
 export default function NotFound() {
   return (
     <main id="content" className="mx-auto flex w-full max-w-[80rem] flex-1 flex-col px-4 py-6 sm:px-6">
@@ -21,7 +23,16 @@ export default function NotFound() {
             .
           </p>
         </div>
-        <LostWords />
+        <LostWords className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto">
+          {words.map((word) => (
+            <span
+              key={word}
+              className="rounded-2xl bg-foreground px-5 py-3 font-semibold text-2xl text-background sm:px-7 sm:py-4 sm:text-4xl"
+            >
+              {word}
+            </span>
+          ))}
+        </LostWords>
       </div>
     </main>
   )

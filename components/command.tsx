@@ -1,10 +1,7 @@
-'use client'
-
 import { useId } from 'react'
 import { choices } from '@/lib/preferences'
+import { ChoiceTabs } from './choice-tabs'
 import { CopyButton } from './copy-button'
-import { TabList } from './tab-list'
-import { useChoice } from './use-choice'
 
 const managers = choices['package-manager'].map((value) => ({ value, label: value }))
 
@@ -14,17 +11,15 @@ const adders = { npm: 'npm install', pnpm: 'pnpm add', yarn: 'yarn add', bun: 'b
 /** A command for each package manager: `run` a package's command once, or `add` packages. */
 export function Command({ run, add, label }: { run?: string; add?: string; label: string }) {
   const id = useId()
-  const [manager, choose] = useChoice('package-manager')
 
   return (
     <div className="code overflow-hidden rounded-xl border bg-panel text-left">
       <div className="flex items-center justify-between border-b py-1 pr-1.5 pl-2">
-        <TabList
+        <ChoiceTabs
+          kind="package-manager"
           id={id}
           label={`Package manager, ${label}`}
           tabs={managers}
-          value={manager}
-          onSelect={choose}
           look="quiet"
         />
         <CopyButton label="Copy command" />

@@ -17,7 +17,18 @@ export function ComponentSource() {
           Copy file
         </CopyButton>
       </div>
-      <SourceText lines={lines.length}>
+      <SourceText
+        all={`Show all ${lines.length.toLocaleString('en')} lines`}
+        plain={
+          <a
+            data-plain
+            href="/source/gravity-stack.tsx.txt"
+            className="text-muted-foreground hover:text-foreground"
+          >
+            Plain text
+          </a>
+        }
+      >
         <Code code={lines.slice(0, shownLines).join('\n')} />
       </SourceText>
     </div>

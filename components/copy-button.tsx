@@ -5,17 +5,15 @@ import { classes } from '@/lib/classes'
 import { CheckIcon, CopyIcon } from './icons'
 
 /**
- * Copies `text`, or what stands at the address `from`, or else the code in the same `.code` box.
+ * Copies what stands at the address `from`, or else the code in the same `.code` box.
  * The words beside the icon are there when `children` are; the accessible name is `label` either way.
  */
 export function CopyButton({
-  text,
   from,
   label = 'Copy code',
   className,
   children,
 }: {
-  text?: string
   from?: string
   label?: string
   className?: string
@@ -42,7 +40,7 @@ export function CopyButton({
         const shown = Array.from(button.closest('.code')?.querySelectorAll('pre') ?? []).find(
           (pre) => pre.checkVisibility?.({ visibilityProperty: true }) ?? true,
         )
-        await navigator.clipboard.writeText(text ?? shown?.textContent ?? '')
+        await navigator.clipboard.writeText(shown?.textContent ?? '')
       }
       setState('copied')
     } catch {

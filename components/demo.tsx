@@ -3,37 +3,18 @@
 import { type ComponentType, lazy, useEffect, useRef } from 'react'
 import { hydrateRoot, type Root } from 'react-dom/client'
 
-/** Every file of registry/examples by its name, each in a file of its own for the browser. */
-export const examples: Record<string, () => Promise<ComponentType>> = {
-  'gravity-stack-actions-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-actions-demo')).GravityStackActionsDemo,
-  'gravity-stack-avatars-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-avatars-demo')).GravityStackAvatarsDemo,
-  'gravity-stack-demo': async () => (await import('@/registry/examples/gravity-stack-demo')).GravityStackDemo,
-  'gravity-stack-elevation-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-elevation-demo')).GravityStackElevationDemo,
-  'gravity-stack-footer-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-footer-demo')).GravityStackFooterDemo,
-  'gravity-stack-links-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-links-demo')).GravityStackLinksDemo,
-  'gravity-stack-shapes-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-shapes-demo')).GravityStackShapesDemo,
-  'gravity-stack-tag-cloud-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-tag-cloud-demo')).GravityStackTagCloudDemo,
-  'gravity-stack-tinted-demo': async () =>
-    (await import('@/registry/examples/gravity-stack-tinted-demo')).GravityStackTintedDemo,
+/** An example of registry/examples by its file's name; each is a file of its own for the browser. */
+async function load(name: string): Promise<ComponentType> {
+  const [Example] = Object.values<ComponentType>(await import(`@/registry/examples/${name}.tsx`))
+  return Example
 }
 
 const onServer = typeof window === 'undefined'
 
-const rendered: Record<string, ComponentType> = onServer
-  ? Object.fromEntries(
-      Object.entries(examples).map(([name, load]) => [name, lazy(async () => ({ default: await load() }))]),
-    )
-  : {}
+const rendered: Record<string, ComponentType> = {}
 
 /**
- * An example of the registry by its name; another `drop` mounts it anew. The page leaves the server's markup as it
+ * The example of that name; another `drop` mounts it anew. The page leaves the server's markup as it
  * is, and the example comes alive in a root of its own when it is about to be seen: until then it costs no script.
  */
 export function Demo({ name, drop }: { name: string; drop: number }) {
@@ -48,7 +29,7 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
       async ([entry]) => {
         if (!entry.isIntersecting) return
         near.disconnect()
-        const Example = await examples[name]()
+        const Example = await load(name)
         if (!box.current || root.current) return
         example.current = Example
         root.current = hydrateRoot(box.current, <Example key={latest.current} />)
@@ -65,6 +46,7 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
   }, [drop])
 
   if (onServer) {
+    rendered[name] ??= lazy(async () => ({ default: await load(name) }))
     const Example = rendered[name]
     return (
       <div ref={box}>

@@ -1,8 +1,5 @@
-'use client'
-
 import type { ReactNode } from 'react'
-import { TabList } from './tab-list'
-import { useChoice } from './use-choice'
+import { ChoiceTabs } from './choice-tabs'
 
 const ways = [
   { value: 'cli', label: 'CLI' },
@@ -11,11 +8,10 @@ const ways = [
 
 /** Two ways to install, each an `InstallWay`; the choice is remembered. Once on a page. */
 export function Install({ children }: { children: ReactNode }) {
-  const [way, choose] = useChoice('install')
   return (
     <div>
       <div className="flex">
-        <TabList id="install" label="Way to install" tabs={ways} value={way} onSelect={choose} />
+        <ChoiceTabs kind="install" id="install" label="Way to install" tabs={ways} />
       </div>
       {children}
     </div>

@@ -1,13 +1,12 @@
 'use client'
 
 import { type ReactNode, useRef } from 'react'
-import { MenuIcon } from './icons'
 
 /**
  * The docs' navigation on narrow screens: a native dialog, which keeps the focus and closes on Escape by itself.
  * `children` are links from the server, which doesn't know the page: it is marked when the menu opens.
  */
-export function MobileNavigation({ children }: { children: ReactNode }) {
+export function MobileNavigation({ icon, children }: { icon: ReactNode; children: ReactNode }) {
   const dialog = useRef<HTMLDialogElement>(null)
   const close = () => dialog.current?.close()
   const open = () => {
@@ -25,7 +24,7 @@ export function MobileNavigation({ children }: { children: ReactNode }) {
         onClick={open}
         className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground hover:bg-muted hover:text-foreground"
       >
-        <MenuIcon />
+        {icon}
       </button>
       {/* biome-ignore lint/a11y/useKeyWithClickEvents: a press beside the panel or on a link; Escape does it for the keyboard */}
       <dialog

@@ -4,7 +4,6 @@ import { type ReactNode, useId, useState } from 'react'
 import { classes } from '@/lib/classes'
 import { CopyButton } from './copy-button'
 import { Demo } from './demo'
-import { ReplayIcon } from './icons'
 import { TabList } from './tab-list'
 
 const tabs = [
@@ -13,7 +12,7 @@ const tabs = [
 ]
 
 /** Preview and code share one grid cell, so the box keeps its height and the pile keeps its place behind the code. */
-export function PreviewTabs({ name, code }: { name: string; code: ReactNode }) {
+export function PreviewTabs({ name, code, again }: { name: string; code: ReactNode; again: ReactNode }) {
   const id = useId()
   const [tab, setTab] = useState('preview')
   const [drop, setDrop] = useState(0)
@@ -34,8 +33,7 @@ export function PreviewTabs({ name, code }: { name: string; code: ReactNode }) {
             onClick={() => setDrop(drop + 1)}
             className="inline-flex h-8 items-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground"
           >
-            <ReplayIcon />
-            Drop again
+            {again}
           </button>
         ) : (
           <CopyButton />

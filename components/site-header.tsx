@@ -1,5 +1,6 @@
 import { navigation } from '@/lib/docs'
 import { DocsNavigation } from './docs-navigation'
+import { MenuIcon, MoonIcon, SunIcon } from './icons'
 import { MobileNavigation } from './mobile-navigation'
 import { ThemeToggle } from './theme-toggle'
 import { Mark } from './wordmark'
@@ -37,8 +38,11 @@ export function SiteHeader() {
           ))}
         </nav>
         <div className="ml-auto flex items-center gap-1">
-          <ThemeToggle />
-          <MobileNavigation>
+          <ThemeToggle>
+            <SunIcon className="dark:hidden" />
+            <MoonIcon className="hidden dark:block" />
+          </ThemeToggle>
+          <MobileNavigation icon={<MenuIcon />}>
             <DocsNavigation sections={navigation} />
           </MobileNavigation>
         </div>

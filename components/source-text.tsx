@@ -2,8 +2,8 @@
 
 import { type ReactNode, useState } from 'react'
 
-/** `children` are the first lines; a press brings the file in full, highlighted at build time. */
-export function SourceText({ lines, children }: { lines: number; children: ReactNode }) {
+/** `children` are the first lines; a press on `all` brings the file in full, highlighted at build time. */
+export function SourceText({ all, plain, children }: { all: string; plain: ReactNode; children: ReactNode }) {
   const [html, setHtml] = useState<string>()
   const [state, setState] = useState<'short' | 'loading' | 'failed'>('short')
 
@@ -32,15 +32,9 @@ export function SourceText({ lines, children }: { lines: number; children: React
           onClick={show}
           className="font-medium underline decoration-foreground/30 underline-offset-4 hover:decoration-foreground"
         >
-          {state === 'loading' ? 'Fetching…' : `Show all ${lines.toLocaleString('en')} lines`}
+          {state === 'loading' ? 'Fetching…' : all}
         </button>
-        <a
-          data-plain
-          href="/source/gravity-stack.tsx.txt"
-          className="text-muted-foreground hover:text-foreground"
-        >
-          Plain text
-        </a>
+        {plain}
         {state === 'failed' && <span role="alert">It could not be fetched; the plain text may work.</span>}
       </div>
     </>

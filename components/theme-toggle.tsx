@@ -1,11 +1,10 @@
 'use client'
 
-import { useEffect } from 'react'
+import { type ReactNode, useEffect } from 'react'
 import { save } from '@/lib/preferences'
-import { MoonIcon, SunIcon } from './icons'
 
 /** Light or dark; until someone presses it the page follows the system's setting, also when that changes. */
-export function ThemeToggle() {
+export function ThemeToggle({ children }: { children: ReactNode }) {
   useEffect(() => {
     const system = matchMedia('(prefers-color-scheme: dark)')
     const follow = () => {
@@ -42,8 +41,7 @@ export function ThemeToggle() {
       }}
       className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground transition-colors hover:bg-muted hover:text-foreground"
     >
-      <SunIcon className="dark:hidden" />
-      <MoonIcon className="hidden dark:block" />
+      {children}
     </button>
   )
 }

@@ -18,8 +18,8 @@ export default function PlaygroundPage() {
         Turn the props, watch the solver think, take the code. The address holds your settings: pass it on and
         others see your pile.
       </p>
-      <PageTools className="mt-4" twin="/playground.md" source="app/playground/page.tsx" />
       <Playground />
+      <PageTools className="mt-10" twin="/playground.md" source="app/playground/page.tsx" />
       <PageEnd path="/playground" />
     </main>
   )

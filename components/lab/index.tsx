@@ -2,17 +2,20 @@
 
 import { type ComponentType, lazy } from 'react'
 
-/** In a file of its own for the browser, so that a page brings only the figures that it shows. */
-function figure(load: () => Promise<ComponentType>) {
-  const Figure = lazy(async () => ({ default: await load() }))
+// A page's figures are one file for the browser, which other pages don't bring.
+const ideas = async () => (await import('./ideas')).ideas
+const stability = async () => (await import('./stability')).stability
+
+function figure(figures: () => Promise<Record<string, ComponentType>>, name: string) {
+  const Figure = lazy(async () => ({ default: (await figures())[name] }))
   return () => <Figure />
 }
 
-export const FlightFigure = figure(async () => (await import('./flight')).FlightFigure)
-export const FrictionFigure = figure(async () => (await import('./friction')).FrictionFigure)
-export const HardScenesFigure = figure(async () => (await import('./hard')).HardScenesFigure)
-export const ImpactFigure = figure(async () => (await import('./impact')).ImpactFigure)
-export const IslandsFigure = figure(async () => (await import('./islands')).IslandsFigure)
-export const SagFigure = figure(async () => (await import('./sag')).SagFigure)
-export const ScenesFigure = figure(async () => (await import('./scenes')).ScenesFigure)
-export const SubstepsFigure = figure(async () => (await import('./substeps')).SubstepsFigure)
+export const FlightFigure = figure(ideas, 'flight')
+export const FrictionFigure = figure(ideas, 'friction')
+export const ImpactFigure = figure(ideas, 'impact')
+export const IslandsFigure = figure(ideas, 'islands')
+export const SagFigure = figure(ideas, 'sag')
+export const SubstepsFigure = figure(ideas, 'substeps')
+export const HardScenesFigure = figure(stability, 'hard')
+export const ScenesFigure = figure(stability, 'known')
