@@ -57,8 +57,8 @@ const wantedEngines = options.engine?.split(',').map((name) => (name === 'ours' 
 const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngines.includes(name))
 const isLarge = (scene: Scene) => /-(250|1000)$/.test(scene.name)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
-/** ms of one job after which it is given up */
-const patience = 150_000
+/** ms after which a job is given up: of several settings, which then get one each, or of one. */
+const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150_000 : 30_000)
 
 const child = await bundle('child')
 const engines: Engine[] = []
@@ -123,7 +123,7 @@ async function runAll(title: string, tasks: Task[], workers: number) {
     for (let next = queue.shift(); next && performance.now() < deadline; next = queue.shift()) {
       let outcome: unknown = null
       try {
-        outcome = await runJob(child, next.job, patience)
+        outcome = await runJob(child, next.job, patience(next.job))
       } catch (error) {
         console.error(`\n${error instanceof Error ? error.message : error}`)
       }
@@ -255,7 +255,7 @@ if (!options.scene) {
           ? {}
           : {
               reason: able.includes(contestant)
-                ? `given up after ${patience / 1000} s`
+                ? `given up after ${patience(jobOf(contestant)) / 1000} s`
                 : `left out: ${(previous / 1000).toFixed(0)} ms a frame with a quarter of the chips`,
             }),
       })

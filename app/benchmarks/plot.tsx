@@ -12,7 +12,7 @@ const right = 20
 const top = 12
 const bottom = 36
 
-// Outlines drawn relative to their centre, so that all marks of a line are one path.
+// Outlines drawn relative to their centre.
 const shapes = {
   circle: 'm0-3.6a3.6 3.6 0 1 0 0 7.2a3.6 3.6 0 1 0 0-7.2z',
   square: 'm-3.2-3.2h6.4v6.4h-6.4z',
@@ -21,16 +21,32 @@ const shapes = {
   cross: 'm-3-3 6 6m-6 0 6-6',
 }
 
-export function Marks({ engine, places }: { engine: string; places: [number, number][] }) {
+/** An engine's mark, at the origin. */
+export function Mark({ engine }: { engine: string }) {
   const { shape, hollow } = looks[engine]
   return (
     <path
-      d={places.map(([x, y]) => `M${x.toFixed(1)} ${y.toFixed(1)}${shapes[shape]}`).join('')}
+      d={`M0 0${shapes[shape]}`}
       fill={shape === 'cross' ? 'none' : hollow ? 'var(--color-panel)' : `var(--${engine})`}
       stroke={`var(--${engine})`}
       strokeWidth={engine === 'gravity-stack' ? 2.5 : 1.5}
       strokeOpacity={shape === 'cross' && hollow ? 0.7 : undefined}
     />
+  )
+}
+
+/** The marks of all engines, once a page: two thousand outlines in the plots would be most of its bytes. */
+export function Markers() {
+  return (
+    <svg aria-hidden="true" className="absolute size-0">
+      <defs>
+        {engineOrder.map((engine) => (
+          <marker key={engine} id={`mark-${engine}`} markerUnits="userSpaceOnUse" overflow="visible">
+            <Mark engine={engine} />
+          </marker>
+        ))}
+      </defs>
+    </svg>
   )
 }
 
@@ -178,7 +194,12 @@ export function Plot({
               strokeWidth={engine === 'gravity-stack' ? 2.25 : 1.25}
               strokeOpacity={engine === 'gravity-stack' ? 1 : 0.55}
             />
-            <Marks engine={engine} places={sorted.map(at)} />
+            <path
+              d={`${path(sorted)}h0`}
+              fill="none"
+              markerStart={`url(#mark-${engine})`}
+              markerMid={`url(#mark-${engine})`}
+            />
           </g>
         )
       })}

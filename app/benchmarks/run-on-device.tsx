@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from 'react'
 import { figure, looks, settingTitle } from './engines'
-import { Marks, Plot } from './plot'
+import { Mark, Plot } from './plot'
 import type { DeviceNews, DevicePoint } from './run-worker'
 import { Table } from './table'
 
@@ -102,7 +102,7 @@ export function RunOnDevice() {
               rows={points.map((point) => [
                 <span key="engine" className="flex items-center gap-2">
                   <svg aria-hidden="true" viewBox="-7 -7 14 14" className="size-3.5 shrink-0">
-                    <Marks engine={point.engine} places={[[0, 0]]} />
+                    <Mark engine={point.engine} />
                   </svg>
                   {looks[point.engine].title}
                 </span>,
