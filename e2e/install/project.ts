@@ -256,7 +256,7 @@ export async function expectPile(page: Page, url: string) {
   const chips = stage.locator('[data-slot="gravity-stack-chip"]')
   const area = await boxOf(stage)
   for (const chip of await chips.all()) {
-    const { left, right, bottom } = await boxOf(chip)
+    const { left, right, bottom } = await outlineOf(chip)
     expect(left).toBeGreaterThan(area.left - 1)
     expect(right).toBeLessThan(area.right + 1)
     expect(bottom).toBeLessThan(area.bottom + 1)
@@ -285,6 +285,21 @@ const boxOf = (chip: Chips) =>
   chip.evaluate((element) => {
     const { left, right, top, bottom } = element.getBoundingClientRect()
     return { left, right, top, bottom }
+  })
+
+/** The box round what is drawn of a chip that may be turned: a rectangle's own corners reach farther than round ones. */
+const outlineOf = (chip: Chips) =>
+  chip.evaluate((element) => {
+    const box = element.getBoundingClientRect()
+    const { offsetWidth: width, offsetHeight: height } = element as HTMLElement
+    const { a, b } = new DOMMatrix(getComputedStyle(element).transform)
+    const corner = Number.parseFloat(getComputedStyle(element.firstElementChild ?? element).borderRadius) || 0
+    const radius = Math.min(corner, width / 2, height / 2)
+    const [cos, sin] = [Math.abs(a), Math.abs(b)]
+    const reachX = (width / 2 - radius) * cos + (height / 2 - radius) * sin + radius
+    const reachY = (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
+    const x = (box.left + box.right) / 2
+    return { left: x - reachX, right: x + reachX, bottom: (box.top + box.bottom) / 2 + reachY }
   })
 
 async function topmost(chips: Chips) {
