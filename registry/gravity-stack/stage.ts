@@ -428,7 +428,7 @@ export function createStage(root: HTMLElement): Stage {
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
-        'Tailwind has made no styles for it, so nothing can be seen. Is Tailwind set up, and does it scan this file?',
+        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
     collect()
