@@ -98,6 +98,7 @@ export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
   const random = seeded(seed)
   const { width } = pourStage(count)
   const chips: Chip[] = []
+  const columns: Chip[][] = []
   const start = random()
   for (let i = 0; i < count; i++) {
     const shape = pourChip(kind, random)
@@ -113,10 +114,22 @@ export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
       vy: 0,
       spin: 2.4 * (random() - 0.5),
     }
-    const near = chips.filter((other) => Math.abs(other.x - chip.x) < (other.width + chip.width) / 2 + 8)
-    const blocked = () =>
-      near.some((other) => Math.abs(other.y - chip.y) < 160 && chipDistance(chip, chip, other, other) < 3)
-    while (blocked()) chip.y -= 4
+    const column = Math.floor(chip.x / 160)
+    const near = [column - 1, column, column + 1]
+      .flatMap((k) => columns[k] ?? [])
+      .filter((other) => Math.abs(other.x - chip.x) < (other.width + chip.width) / 2 + 8)
+    const lacking = () => {
+      for (const other of near) {
+        if (Math.abs(other.y - chip.y) >= 160) continue
+        const distance = chipDistance(chip, chip, other, other)
+        if (distance < 3) return 3 - distance
+      }
+      return 0
+    }
+    // A climb lengthens no distance by more than itself: what lacks 20 px needs no look before 20 px.
+    for (let gap = lacking(); gap > 0; gap = lacking()) for (; gap > 0; gap -= 4) chip.y -= 4
+    columns[column] ??= []
+    columns[column].push(chip)
     chips.push(chip)
   }
   return chips
