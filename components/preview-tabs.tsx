@@ -46,7 +46,10 @@ export function PreviewTabs({ name, code, again }: { name: string; code: ReactNo
         >
           <Demo name={name} drop={drop} />
         </div>
-        <div {...panel('code')} className={classes('relative', tab !== 'code' && 'invisible')}>
+        <div
+          {...panel('code')}
+          className={classes('relative', tab !== 'code' && 'invisible [content-visibility:hidden]')}
+        >
           {code}
         </div>
       </div>

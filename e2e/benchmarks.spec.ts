@@ -1,5 +1,6 @@
 import { existsSync, readFileSync } from 'node:fs'
-import { expect, test } from '@playwright/test'
+import { expect } from '@playwright/test'
+import { test } from './alive'
 
 test.describe('benchmarks', () => {
   test('every plot has its figures as a table', async ({ page }) => {

@@ -1,7 +1,8 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
-import { expect, type Page, test } from '@playwright/test'
+import { expect, type Page } from '@playwright/test'
+import { test } from './alive'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
 const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
@@ -238,6 +239,20 @@ test('the home page performs what its buttons say and shows the code for it', as
   await expect(page.getByText('stack.current?.shake()')).toBeVisible()
   await page.getByRole('button', { name: 'Bouncier' }).click()
   await expect(page.getByText('bounce={0.7}')).toBeVisible()
+})
+
+test('words can be read before any script is asked for', async ({ page }) => {
+  for (const path of pages) {
+    await page.goto(path)
+    const early = await page.evaluate(() => {
+      const [painted] = performance.getEntriesByName('first-contentful-paint')
+      const requests = performance.getEntriesByType('resource')
+      return requests
+        .filter(({ name, startTime }) => name.endsWith('.js') && startTime < painted.startTime)
+        .map(({ name }) => name)
+    })
+    expect(early, path).toEqual([])
+  }
 })
 
 // The framework takes 136 of them.

@@ -1,13 +1,14 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import { frontier, ours, points, type Results, type Verdict, verdicts } from '@/bench/report'
-import data from '@/bench/results/results.json'
+import { ours, type Results, type Verdict, verdicts } from '@/bench/report'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { InBrowser } from './browser'
+import { defaultCosts, plotName, plotTitle, results, sizes } from './data'
+import { Drawn } from './drawn'
 import { engineOrder, figure, looks, settingTitle } from './engines'
-import { Mark, Markers, Plot, type PlotLine } from './plot'
+import { Mark, Markers } from './plot'
 import { PlotTable } from './plot-table'
 import { RunOnDevice } from './run-on-device'
 import { Table } from './table'
@@ -18,8 +19,6 @@ export const metadata: Metadata = {
     'Run time against error for Gravity Stack and every engine beside it: named scenes, exact answers, all settings, raw data.',
   alternates: { canonical: '/benchmarks' },
 }
-
-const results = data as unknown as Results
 
 const groups: { title: string; text: string; scenes: RegExp }[] = [
   {
@@ -48,9 +47,6 @@ const groups: { title: string; text: string; scenes: RegExp }[] = [
     scenes: /^pour/,
   },
 ]
-
-/** Where a line is drawn that nothing goes below: rounding, or a pile at rest. */
-const floors: Record<string, number> = { weights: 1e-4, px: 1e-9, 'px/s': 1e-9, rad: 1e-9, relative: 1e-9 }
 
 export default function Benchmarks() {
   const all = verdicts(results)
@@ -119,7 +115,7 @@ export default function Benchmarks() {
                 .flatMap((scene) =>
                   scene.measures.map((measure, i) =>
                     measure.ranked ? (
-                      <ScenePlot key={`${scene.name} ${measure.name}`} scene={scene} measure={i} />
+                      <PlotFigure key={`${scene.name} ${measure.name}`} scene={scene} measure={i} />
                     ) : null,
                   ),
                 )}
@@ -157,7 +153,9 @@ export default function Benchmarks() {
           fall, landing and rest. Each engine as it comes.
         </p>
         <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 lg:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
-          <SizePlot />
+          <figure className="rounded-2xl border bg-panel p-3">
+            <Drawn />
+          </figure>
           <Table {...sizeTable} />
         </div>
       </Section>
@@ -308,18 +306,8 @@ function Legend() {
   )
 }
 
-function ScenePlot({ scene, measure }: { scene: Results['scenes'][number]; measure: number }) {
-  const { name, unit } = scene.measures[measure]
-  const all = points(results, scene.name, measure)
-  const lines: PlotLine[] = engineOrder.map((engine) => ({
-    engine,
-    points: all
-      .filter((point) => point.engine === engine)
-      .map(({ cost, error, setting }) => ({ x: cost, y: error, setting })),
-  }))
-  const best = frontier(all)
-  const title =
-    scene.measures.filter((other) => other.ranked).length > 1 ? `${scene.title}: ${name}` : scene.title
+function PlotFigure({ scene, measure }: { scene: Results['scenes'][number]; measure: number }) {
+  const title = plotTitle(scene, measure)
   const seeds = scene.seeds > 1 ? `, ${scene.seeds} seeds` : ''
   return (
     <figure className="min-w-0 rounded-2xl border bg-panel p-3">
@@ -327,27 +315,8 @@ function ScenePlot({ scene, measure }: { scene: Results['scenes'][number]; measu
         {title}
         <span className="font-normal text-muted-foreground">{seeds}</span>
       </figcaption>
-      <Plot
-        title={title}
-        lines={lines}
-        xLabel="µs a frame"
-        yLabel={`error, ${unit}`}
-        floor={floors[unit]}
-        frontier={best.map(({ cost, error }) => ({ x: cost, y: error }))}
-      />
-      <PlotTable
-        label={title}
-        unit={unit}
-        rows={[...all]
-          .sort((a, b) => a.error - b.error)
-          .map((point) => [
-            engineOrder.indexOf(point.engine),
-            settingTitle(point.setting),
-            Number.isFinite(point.error) ? Number(point.error.toPrecision(3)) : null,
-            Number(point.cost.toPrecision(3)),
-            best.includes(point) ? 1 : 0,
-          ])}
-      />
+      <Drawn scene={scene.name} measure={measure} />
+      <PlotTable label={title} unit={scene.measures[measure].unit} name={plotName(scene, measure)} />
     </figure>
   )
 }
@@ -397,43 +366,19 @@ const pourTable = {
   }),
 }
 
-const defaults = results.pourCosts.filter(
-  (row) =>
-    row === results.pourCosts.find((first) => first.engine === row.engine && first.chips === row.chips),
-)
-const sizes = [...new Set(results.pourCosts.map((row) => row.chips))]
-
-function SizePlot() {
-  return (
-    <figure className="rounded-2xl border bg-panel p-3">
-      <Plot
-        title="Cost by number of chips"
-        joinAll
-        xLabel="chips, all awake"
-        yLabel="µs a frame"
-        floor={1}
-        lines={engineOrder.map((engine) => ({
-          engine,
-          points: defaults
-            .filter((row) => row.engine === engine && row.cost)
-            .map((row) => ({ x: row.chips, y: row.cost?.mean ?? Number.NaN, setting: row.setting })),
-        }))}
-      />
-    </figure>
-  )
-}
-
 const sizeTable = {
   label: 'Cost by number of chips, µs a frame',
   head: ['µs a frame', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
   rows: engineOrder
-    .filter((engine) => defaults.some((row) => row.engine === engine))
+    .filter((engine) => defaultCosts.some((row) => row.engine === engine))
     .map((engine) => [
       looks[engine].title,
       ...sizes.map((size) => {
-        const row = defaults.find((candidate) => candidate.engine === engine && candidate.chips === size)
+        const row = defaultCosts.find((candidate) => candidate.engine === engine && candidate.chips === size)
         if (!row?.cost) return <span title={row?.reason}>–</span>
-        const own = defaults.find((candidate) => candidate.engine === ours && candidate.chips === size)?.cost
+        const own = defaultCosts.find(
+          (candidate) => candidate.engine === ours && candidate.chips === size,
+        )?.cost
         const ratio = own && engine !== ours ? ` (${figure(row.cost.mean / own.mean)} ×)` : ''
         return (
           <span

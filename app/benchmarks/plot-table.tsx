@@ -7,15 +7,43 @@ import { Table } from './table'
 /** Engine's place in `engineOrder`, setting, error (null: without bound), µs a frame, 1 on the frontier. */
 export type FigureRow = [engine: number, setting: string, error: number | null, cost: number, best: 0 | 1]
 
-/** What a plot shows, in figures. Rows are made when they are asked for: thirty plots have two thousand. */
-export function PlotTable({ label, unit, rows }: { label: string; unit: string; rows: FigureRow[] }) {
-  const [open, setOpen] = useState(false)
+let figures: Promise<Record<string, FigureRow[]>> | undefined
+
+async function fetchFigures(): Promise<Record<string, FigureRow[]>> {
+  const response = await fetch('/benchmarks/figures.json')
+  if (!response.ok) throw new Error(response.statusText)
+  return response.json()
+}
+
+/** What a plot shows, in figures. They come when the first table is opened: thirty plots have two thousand rows. */
+export function PlotTable({ name, label, unit }: { name: string; label: string; unit: string }) {
+  const [rows, setRows] = useState<FigureRow[] | 'failed'>()
+
+  async function show() {
+    figures ??= fetchFigures()
+    try {
+      setRows((await figures)[name])
+    } catch {
+      figures = undefined
+      setRows('failed')
+    }
+  }
+
   return (
-    <details className="mt-1 text-sm" onToggle={(event) => setOpen(event.currentTarget.open)}>
+    <details className="mt-1 text-sm" onToggle={show}>
       <summary className="w-fit cursor-pointer rounded-md px-1 py-1 text-muted-foreground hover:text-foreground">
         Figures<span className="sr-only">: {label}</span>
       </summary>
-      {open && (
+      {rows === 'failed' && <p role="alert">They could not be fetched; the raw data above has them.</p>}
+      {!rows && (
+        <p>
+          <a href="/benchmarks/errors.csv" download className="underline underline-offset-4">
+            errors.csv
+          </a>{' '}
+          has them.
+        </p>
+      )}
+      {Array.isArray(rows) && (
         <div className="mt-2 max-h-96 overflow-y-auto">
           <Table
             label={label}

@@ -1,3 +1,4 @@
+import { alive } from '../alive'
 import { docsCode, expect, expectPile, test, viteProject } from './project'
 
 test('what the docs let people copy by hand works as it is pasted', async ({
@@ -8,6 +9,7 @@ test('what the docs let people copy by hand works as it is pasted', async ({
 }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write'], { origin: baseURL })
   await page.goto('/docs/gravity-stack')
+  await alive(page)
   const copied = () => page.evaluate(() => navigator.clipboard.readText())
   await page.getByRole('tab', { name: 'Manual' }).click()
   const manual = page.getByRole('tabpanel', { name: 'Manual' })

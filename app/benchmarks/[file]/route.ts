@@ -1,9 +1,13 @@
 import { existsSync, readFileSync } from 'node:fs'
+import { allFigures } from '../data'
 
-// The raw data of the page, as the benchmark wrote it.
+const figures = 'figures.json'
+
+// The raw data of the page, as the benchmark wrote it, and the figures beside its plots.
 const types: Record<string, string> = {
   'results.json': 'application/json',
   'browser.json': 'application/json',
+  [figures]: 'application/json',
   'errors.csv': 'text/csv; charset=utf-8',
   'costs.csv': 'text/csv; charset=utf-8',
 }
@@ -13,10 +17,11 @@ export const dynamicParams = false
 const pathOf = (file: string) => `bench/results/${file}`
 export const generateStaticParams = () =>
   Object.keys(types)
-    .filter((file) => existsSync(pathOf(file)))
+    .filter((file) => file === figures || existsSync(pathOf(file)))
     .map((file) => ({ file }))
 
 export async function GET(_request: Request, { params }: RouteContext<'/benchmarks/[file]'>) {
   const { file } = await params
-  return new Response(readFileSync(pathOf(file)), { headers: { 'content-type': types[file] } })
+  const body = file === figures ? JSON.stringify(allFigures()) : readFileSync(pathOf(file))
+  return new Response(body, { headers: { 'content-type': types[file] } })
 }

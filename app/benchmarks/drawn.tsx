@@ -1,0 +1,27 @@
+'use client'
+
+import { lazy } from 'react'
+
+const onServer =
+  typeof window === 'undefined'
+    ? {
+        ScenePlot: lazy(async () => ({ default: (await import('./plots')).ScenePlot })),
+        SizePlot: lazy(async () => ({ default: (await import('./plots')).SizePlot })),
+      }
+    : undefined
+
+// As high as the drawing, and left out of layout and paint until it is near.
+const box = 'aspect-[380/270] [content-visibility:auto]'
+
+/**
+ * The plot of a scene, or of the costs by number of chips. Drawn on the server alone: the page would bring each plot
+ * twice, as markup and as what React makes that markup from. In the browser React keeps what stands there.
+ */
+export function Drawn({ scene, measure = 0 }: { scene?: string; measure?: number }) {
+  if (onServer) {
+    const { ScenePlot, SizePlot } = onServer
+    return <div className={box}>{scene ? <ScenePlot scene={scene} measure={measure} /> : <SizePlot />}</div>
+  }
+  // biome-ignore lint/security/noDangerouslySetInnerHtml: what stands there from the server is kept, not replaced
+  return <div className={box} suppressHydrationWarning dangerouslySetInnerHTML={{ __html: '' }} />
+}

@@ -1,0 +1,25 @@
+import { test as base, type Page } from '@playwright/test'
+
+/** Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page. */
+export const alive = (page: Page) =>
+  page.waitForFunction(() => Object.keys(document).some((key) => key.startsWith('__reactContainer')))
+
+/** With pages that answer to a press as soon as `goto` and `reload` come back. */
+export const test = base.extend({
+  page: async ({ page, javaScriptEnabled }, use) => {
+    if (javaScriptEnabled !== false) {
+      const { goto, reload } = page
+      page.goto = async (...args) => {
+        const answer = await goto.apply(page, args)
+        await alive(page)
+        return answer
+      }
+      page.reload = async (...args) => {
+        const answer = await reload.apply(page, args)
+        await alive(page)
+        return answer
+      }
+    }
+    await use(page)
+  },
+})

@@ -1,0 +1,29 @@
+import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+
+/**
+ * Next's `async` scripts share the line with the fonts, and on a quick line they are compiled and run before the first
+ * paint, which waits for them. The pages of `folder` ask for them when their words can be read.
+ */
+export function lateScripts(folder) {
+  for (const file of readdirSync(folder, { recursive: true })) {
+    if (!file.endsWith('.html')) continue
+    const path = join(folder, file)
+    const scripts = []
+    const html = readFileSync(path, 'utf8')
+      .replaceAll(/<link rel="preload" as="script"[^>]*>/g, '')
+      .replaceAll(/<script src="([^"]+)"(?: id="[^"]*")? async=""><\/script>/g, (_, src) => {
+        scripts.push(src)
+        return ''
+      })
+    if (scripts.length === 0) throw new Error(`${path} has no scripts as Next used to write them`)
+    writeFileSync(
+      path,
+      html.replace(/<\/body><\/html>$/, `<script>${loader(scripts)}</script></body></html>`),
+    )
+  }
+}
+
+// A hidden tab paints nothing; the timer is for browsers that don't tell when they paint.
+const loader = (scripts) =>
+  `{let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(ask).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`
