@@ -1,3 +1,5 @@
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
 import { chipDistance, stageDistance } from '../scenes/exact-distance'
 import { expect, type StagePage, test } from './fixtures/stage'
 
@@ -100,6 +102,47 @@ test('a chip that grows becomes its new shape in place and pushes its neighbours
   const after = await places(stage)
   for (const [text, pose] of after) expect(far(pose, before.get(text)!)).toBeLessThan(340)
   expect(await stage.outside()).toBeLessThan(1)
+})
+
+test('a font that arrives late widens the chips where they lie, and the pile takes it in place', async ({
+  stage,
+  page,
+}) => {
+  const file = '@fontsource-variable/geist-mono/files/geist-mono-latin-wght-normal.woff2'
+  const font = readFileSync(createRequire(import.meta.url).resolve(file), 'base64')
+  await stage.open('children')
+  await page.addStyleTag({ content: '[data-slot=gravity-stack] { font-family: Late, serif }' })
+  await stage.reaches('resting')
+  const before = await stage.pile()
+  await stage.probe((probe) => probe.states.splice(0))
+  /** px, the farthest that any chip is from where it lay, on any frame of the way. */
+  const farthest = await page.evaluate(async (url) => {
+    const face = await new FontFace('Late', url).load()
+    const chips = [...document.querySelectorAll('[data-slot=gravity-stack-chip]')]
+    const centres = () =>
+      chips.map((chip) => {
+        const { x, y, width, height } = chip.getBoundingClientRect()
+        return { x: x + width / 2, y: y + height / 2 }
+      })
+    const start = centres()
+    let most = 0
+    document.fonts.add(face)
+    while (window.probe.states.at(-1) !== 'resting') {
+      await window.probe.pass(1)
+      for (const [i, { x, y }] of centres().entries())
+        most = Math.max(most, Math.hypot(x - start[i].x, y - start[i].y))
+    }
+    return most
+  }, `url(data:font/woff2;base64,${font})`)
+  const after = await stage.pile()
+  const growth = after.shapes.map(({ width }, i) => width - before.shapes[i].width)
+  expect(Math.min(...growth)).toBeGreaterThan(1)
+  expect(farthest).toBeGreaterThan(1)
+  expect(farthest).toBeLessThan(growth.reduce((sum, px) => sum + px) / 2)
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.hovering()).toBeLessThan(0.5)
+  expect(await stage.probe((probe) => probe.states)).toEqual(['running', 'resting'])
+  expect(await stage.during('frames')).toBe(0)
 })
 
 test('a chip that loses its round corners stands like a box', async ({ stage, page }) => {
