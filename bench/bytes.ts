@@ -81,7 +81,8 @@ export async function engineBytes(): Promise<Bytes[]> {
         'worker_threads',
       ],
       logLevel: 'silent',
-    })
+    }).catch((error: Error) => console.error(`${name} is not weighed: ${error.message}`))
+    if (!result) continue
     const script = result.outputFiles[0].contents
     const binary = wasm ? readFileSync(wasm) : Buffer.alloc(0)
     rows.push({

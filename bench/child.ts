@@ -6,7 +6,7 @@ import { conditions, type Scene } from '../scenes/scene'
 import type { Engine, Setting } from './engine'
 import { loadEngine } from './engines'
 import { median, sceneErrors } from './film'
-import { type Cost, type Job, medianCost } from './job'
+import { type AtLeast, type Cost, type Job, medianCost } from './job'
 
 const frames = 240
 const pourFrames = 90
@@ -34,43 +34,53 @@ function quantile(values: Float64Array, q: number) {
   return values.slice().sort()[Math.min(values.length - 1, Math.floor(q * values.length))]
 }
 
+/** ms after which a pour of four seconds is given up. */
+const limit = 12_000
+
 /**
- * Microseconds of each chunk of frames, the same run played three times over and the median taken chunk by chunk:
- * what else the machine does hits one run here and another there. Long runs are played once.
+ * Microseconds of each frame, the same run played three times over and the median taken frame by frame: what else the
+ * machine does hits one run here and another there. Long runs are played once; null is one that was given up.
  */
-function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number, chunk: number) {
-  const chunks = Math.round((scene.seconds * 60) / chunk)
+function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number) {
   const runs: Float64Array[] = []
   let total = 0
   do {
-    const times = new Float64Array(chunks)
+    const times = new Float64Array(frames)
     const run = engine.start(scene, scene.build(seed), setting, false)
-    for (let k = 0; k < chunks; k++) {
+    const begin = performance.now()
+    for (let k = 0; k < frames; k++) {
       const start = performance.now()
-      for (let i = 0; i < chunk; i++) run.step()
-      times[k] = ((performance.now() - start) * 1000) / chunk
+      if (start - begin > limit) return null
+      run.step()
+      times[k] = (performance.now() - start) * 1000
     }
     run.free()
     runs.push(times)
-    total = times.reduce((sum, time) => sum + time * chunk, 0)
-  } while (runs.length < 3 && total < 4e5)
+    total = performance.now() - begin
+  } while (runs.length < 3 && total < 400)
   return runs[0].map((_, k) => median(runs.map((run) => run[k])))
 }
 
-/** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
-function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost {
-  const scene = pourScene(job.chips, job.shape)
+/** Plays a scene again and again for so many milliseconds. */
+function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: number, seed = 1) {
   const begin = performance.now()
-  let warm = 0
-  do {
-    const run = engine.start(scene, scene.build(101 + (warm++ % 3)), job.setting, false)
-    for (let k = 0; k < frames && performance.now() - begin < job.milliseconds; k++) run.step()
+  const over = () => performance.now() - begin > milliseconds
+  for (let k = 0; !over() && k < 40; k++) {
+    const run = engine.start(scene, scene.build(seed + (k % 3)), setting, false)
+    for (let i = 0; i < scene.seconds * 60 && !over(); i++) run.step()
     run.free()
-  } while (performance.now() - begin < job.milliseconds / 2 && warm < 40)
+  }
+}
+
+/** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
+function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost | AtLeast {
+  const scene = pourScene(job.chips, job.shape)
+  warmUp(engine, scene, job.setting, job.milliseconds / 2, 101)
   const costs: Cost[] = []
   const until = performance.now() + job.milliseconds
   do {
-    const times = playThrice(engine, scene, job.setting, 1 + (costs.length % 12), 1)
+    const times = playThrice(engine, scene, job.setting, 1 + (costs.length % 12))
+    if (!times) return { atLeast: (limit * 1000) / frames }
     costs.push({
       mean: mean(times),
       pour: mean(times.subarray(0, pourFrames)),
@@ -83,22 +93,22 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
   return medianCost(costs)
 }
 
-/** Microseconds per frame over a whole scene, for each setting. */
+/** Microseconds per frame of a scene's first six seconds, for each setting. */
 function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
-  const share = job.milliseconds / job.settings.length
-  return job.settings.map((setting) => {
-    const begin = performance.now()
-    // Ten frames at a time where one is shorter than the clock is fine.
-    let cost = mean(playThrice(engine, scene, setting, 1, 1))
-    const chunk = cost < 20 ? 10 : 1
-    while (performance.now() - begin < share / 2) playThrice(engine, scene, setting, 1, chunk)
+  const count = Math.round(60 * Math.min(6, scene.seconds))
+  return job.settings.map((setting, i) => {
+    // With its first setting the compiler gets to know the engine.
+    warmUp(engine, scene, setting, i === 0 ? 60 : 5, job.seed)
     const costs: number[] = []
-    while (costs.length === 0 || (performance.now() - begin < share && costs.length < 100)) {
-      if (cost * scene.seconds * 60 > 4e5) return cost
-      cost = mean(playThrice(engine, scene, setting, 1 + (costs.length % scene.seeds), chunk))
-      costs.push(cost)
-    }
+    const until = performance.now() + job.milliseconds
+    do {
+      const run = engine.start(scene, scene.build(job.seed), setting, false)
+      const start = performance.now()
+      for (let k = 0; k < count; k++) run.step()
+      costs.push(((performance.now() - start) * 1000) / count)
+      run.free()
+    } while (performance.now() < until && costs.length < 1000)
     return median(costs)
   })
 }
@@ -142,5 +152,7 @@ async function work(job: Job) {
   return allocation(engine, job)
 }
 
-console.log(JSON.stringify(await work(JSON.parse(process.argv[2]))))
+const outcome = await work(JSON.parse(process.argv[2]))
+const { user, system } = process.cpuUsage()
+console.log(JSON.stringify({ outcome, seconds: (user + system) / 1e6 }))
 process.exit(0)

@@ -48,7 +48,7 @@ for (const chips of options.chips.split(',').map(Number)) {
         shape: options.kind as Kind,
         milliseconds: Number(options.ms),
       })
-      if (cost) rounds[i].push(cost)
+      if (cost && 'mean' in cost) rounds[i].push(cost)
     }
   }
   contestants.forEach((contestant, i) => {

@@ -22,6 +22,8 @@ export type Engine = {
   settings: Setting[]
   /** the one of them for large piles, where sweeping all would take hours */
   accurate: Setting
+  /** takes so long that its pours are filmed from fewer seeds, and its largest piles only as it comes */
+  slow?: true
   load(): Promise<void>
   /** Without `sleep` everything stays awake, so that what is measured is the solver and not its sleep. */
   start(scene: Scene, chips: Chip[], setting: Setting, sleep: boolean): Run

@@ -4,7 +4,14 @@ import { median } from './film'
 
 export type Job =
   | { kind: 'errors'; engine: string; scene: string; settings: Setting[]; seeds: number }
-  | { kind: 'scene cost'; engine: string; scene: string; settings: Setting[]; milliseconds: number }
+  | {
+      kind: 'scene cost'
+      engine: string
+      scene: string
+      settings: Setting[]
+      seed: number
+      milliseconds: number
+    }
   | { kind: 'pour cost'; engine: string; setting: Setting; chips: number; shape: Kind; milliseconds: number }
   | { kind: 'asleep'; engine: string; setting: Setting; chips: number }
   | { kind: 'allocation'; engine: string; setting: Setting; chips: number }
@@ -20,6 +27,9 @@ export type Cost = {
   p95: number
   worst: number
 }
+
+/** Microseconds per frame that a pour costs at least: it was given up. */
+export type AtLeast = { atLeast: number }
 
 /** The median of each figure. */
 export function medianCost(costs: Cost[]): Cost {

@@ -14,6 +14,10 @@ function resultsOf(
     machine: { cpu: '', cores: 1, memoryGB: 1, system: '', node: '' },
     versions: {},
     quick: false,
+    minutes: 1,
+    resumed: false,
+    others: 0,
+    rounds: 1,
     commit: '',
     scenes: [
       {
@@ -38,6 +42,7 @@ function resultsOf(
       spread: 1,
     })),
     pourCosts: [],
+    missing: [],
     asleep: {},
     allocation: {},
     bytes: [],

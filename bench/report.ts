@@ -13,15 +13,18 @@ export type ErrorRow = {
 }
 /** Microseconds per frame of the scene, and how far the rounds lie apart (largest over smallest). */
 export type SceneCostRow = { engine: string; setting: Setting; scene: string; cost: number; spread: number }
-/** `cost` is null where the run was given up: the reason says why. */
+/** `cost` is null where a run was given up: µs per frame are then known to be `atLeast` so many, or the reason says why. */
 export type PourCostRow = {
   engine: string
   setting: Setting
   chips: number
   cost: Cost | null
   spread: number | null
+  atLeast?: number
   reason?: string
 }
+/** A setting that has no place on a scene's plot, and why. */
+export type MissingRow = { engine: string; setting: Setting; scene: string; reason: string }
 
 export type SceneHead = {
   name: string
@@ -35,12 +38,19 @@ export type Results = {
   machine: { cpu: string; cores: number; memoryGB: number; system: string; node: string }
   versions: Record<string, string>
   quick: boolean
+  /** Minutes that the last sitting took, whether others came before it, and the share of the processors others had. */
+  minutes: number
+  resumed: boolean
+  others: number
+  /** times that a cost was measured, if once was not enough */
+  rounds: number
   /** the state of this repository */
   commit: string
   scenes: SceneHead[]
   errors: ErrorRow[]
   sceneCosts: SceneCostRow[]
   pourCosts: PourCostRow[]
+  missing: MissingRow[]
   /** µs per frame of 60 chips once the engine sleeps */
   asleep: Record<string, number | null>
   /** bytes of JavaScript heap per frame, 60 chips awake */

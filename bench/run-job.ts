@@ -1,9 +1,9 @@
 import { execFile } from 'node:child_process'
-import { mkdirSync } from 'node:fs'
+import { mkdirSync, rmSync } from 'node:fs'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
-import type { Cost, Job } from './job'
+import type { AtLeast, Cost, Job } from './job'
 
 export const root = dirname(dirname(fileURLToPath(import.meta.url)))
 
@@ -34,6 +34,7 @@ export async function bundle(script: string) {
     ],
     logLevel: 'error',
   })
+  process.on('exit', () => rmSync(outfile, { force: true }))
   return outfile
 }
 
@@ -42,21 +43,29 @@ export type Outcome<J extends Job> = J extends { kind: 'errors' }
   : J extends { kind: 'scene cost' }
     ? number[]
     : J extends { kind: 'pour cost' }
-      ? Cost
+      ? Cost | AtLeast
       : number
 
-/** The outcome of a job, or null when it took longer than `limit` milliseconds. Errors it had are shown. */
+/** Seconds of processor that jobs have taken in all. */
+export const spent = { seconds: 0 }
+
+/** The outcome of a job, or null when it took longer than `limit` milliseconds. */
 export function runJob<J extends Job>(child: string, job: J, limit = 300_000): Promise<Outcome<J> | null> {
   const flags =
     job.kind === 'allocation' ? ['--expose-gc', '--min-semi-space-size=256', '--max-semi-space-size=256'] : []
   return new Promise((resolve, reject) => {
     const options = { cwd: root, encoding: 'utf8' as const, timeout: limit, killSignal: 'SIGKILL' as const }
     execFile(process.execPath, [...flags, child, JSON.stringify(job)], options, (error, out, err) => {
-      if (error?.killed) return resolve(null)
+      if (error?.killed) {
+        spent.seconds += limit / 1000
+        return resolve(null)
+      }
       if (error) return reject(new Error(`${JSON.stringify(job)}\n${err}`))
       // JSON knows no Infinity: it writes null, and an error without bound is what that means here.
       const last = out.trimEnd().split('\n').at(-1) ?? ''
-      resolve(JSON.parse(last, (_, value) => (value === null ? Number.POSITIVE_INFINITY : value)))
+      const { outcome, seconds } = JSON.parse(last, (_, value) => value ?? Number.POSITIVE_INFINITY)
+      spent.seconds += seconds
+      resolve(outcome)
     })
   })
 }

@@ -5,8 +5,7 @@
 //   npm run bench -- --errors         errors alone, which are kept for the next run: they never change by themselves
 //   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
 //   npm run bench -- --minutes 5      stops after five; the next call goes on from there
-//   npm run bench -- --retry          tries again what took too long when the machine was busy
-//   npm run bench -- --fresh          forgets what an interrupted run had measured
+//   npm run bench -- --fresh          forgets what was measured before
 import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import {
@@ -25,11 +24,19 @@ import { scenes } from '../scenes'
 import type { Scene } from '../scenes/scene'
 import { engineBytes } from './bytes'
 import { type Engine, type Setting, settingName } from './engine'
-import { engineNames, loadEngine } from './engines'
+import { describeEngine, engineNames } from './engines'
 import { median } from './film'
 import { type Cost, type Job, medianCost } from './job'
-import { type ErrorRow, ours, type PourCostRow, type Results, type SceneCostRow, verdicts } from './report'
-import { bundle, type Outcome, root, runJob } from './run-job'
+import {
+  type ErrorRow,
+  type MissingRow,
+  ours,
+  type PourCostRow,
+  type Results,
+  type SceneCostRow,
+  verdicts,
+} from './report'
+import { bundle, type Outcome, root, runJob, spent } from './run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -38,7 +45,6 @@ const { values: options } = parseArgs({
     quick: { type: 'boolean', default: false },
     errors: { type: 'boolean', default: false },
     out: { type: 'string' },
-    retry: { type: 'boolean', default: false },
     minutes: { type: 'string', default: 'Infinity' },
     fresh: { type: 'boolean', default: false },
     rounds: { type: 'string', default: '3' },
@@ -47,7 +53,7 @@ const { values: options } = parseArgs({
 
 const quick = options.quick
 const part = Boolean(options.scene ?? options.engine)
-const rounds = quick ? 1 : Number(options.rounds)
+const mostRounds = quick ? 1 : Number(options.rounds)
 const wantedScenes =
   options.scene?.split(',') ?? (quick ? ['free-fall-drag', 'slide', 'pour-pills-60'] : undefined)
 const chosenScenes = scenes.filter(
@@ -55,17 +61,28 @@ const chosenScenes = scenes.filter(
 )
 const wantedEngines = options.engine?.split(',').map((name) => (name === 'ours' ? ours : name))
 const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngines.includes(name))
-const isLarge = (scene: Scene) => /-(250|1000)$/.test(scene.name)
+/** How many chips a large pile has; these are filmed in two settings, and cost what pours of as many cost. */
+const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
+/** ms into a run after which no further round of costs is begun: the whole stays below twenty minutes. */
+const lastRound = 15 * 60_000
 /** ms after which a job is given up: of several settings, which then get one each, or of one. */
-const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150_000 : 30_000)
+const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150_000 : 40_000)
+/** µs of a run that is not timed again: noise is not what sets it apart. */
+const long = 4e5
 
 const child = await bundle('child')
 const engines: Engine[] = []
-for (const name of chosenEngines) engines.push(await loadEngine(name))
+for (const name of chosenEngines) {
+  try {
+    engines.push(await describeEngine(name))
+  } catch (error) {
+    console.error(`${name} is left out: ${error instanceof Error ? error.message : error}`)
+  }
+}
 
 // What an interrupted run has measured is kept until a run is complete. Errors are the same whenever they are
-// computed, so they are kept for as long as nothing they depend on changes.
+// computed, so they are kept for as long as nothing they depend on changes. Failures are tried again.
 const cacheFolder = join(root, 'node_modules/.cache/gravity-stack-bench')
 const partial = join(cacheFolder, 'partial.jsonl')
 const errorCache = join(cacheFolder, 'errors.jsonl')
@@ -73,14 +90,20 @@ mkdirSync(cacheFolder, { recursive: true })
 if (options.fresh) for (const file of [partial, errorCache]) rmSync(file, { force: true })
 
 function readCache(file: string) {
-  const lines = existsSync(file) ? readFileSync(file, 'utf8').trim().split('\n').filter(Boolean) : []
-  return new Map(lines.map((line) => JSON.parse(line) as [string, unknown]))
+  const lines = existsSync(file) ? readFileSync(file, 'utf8').split('\n') : []
+  return lines.flatMap((line) => {
+    try {
+      return [JSON.parse(line, (_, value) => value ?? Number.POSITIVE_INFINITY) as [string, unknown]]
+    } catch {
+      // Nothing, or a line that was cut off when the run was.
+      return []
+    }
+  })
 }
 
 const done = new Map([...readCache(errorCache), ...readCache(partial)])
-if (options.retry) for (const [key, outcome] of readCache(errorCache)) if (outcome === null) done.delete(key)
 
-// What an engine's errors depend on.
+// What an engine's figures depend on.
 const judges = ['exact-distance', 'scene', 'seeded', 'references', 'residual', 'exact', 'piles']
 
 function sourceHash(name: string) {
@@ -91,6 +114,7 @@ function sourceHash(name: string) {
     }
   }
   read('scenes', (file) => judges.includes(file.replace(/\.ts$/, '')))
+  read('bench', (file) => /^(child|film)\.ts$/.test(file))
   if (name === ours) read('registry/gravity-stack', (file) => /^[a-z]+\.ts$/.test(file))
   else read('bench/engines', (file) => file !== 'ours.ts' && file !== 'index.ts')
   return hash.digest('hex').slice(0, 12)
@@ -101,7 +125,9 @@ function packageVersion(name: string): string {
 }
 
 type Task = { job: Job; round: number; key: string }
-const hashes = new Map(engines.map((engine) => [engine.name, sourceHash(engine.name)]))
+const hashes = new Map(
+  engines.map((engine) => [engine.name, `${sourceHash(engine.name)} ${engine.packages.map(packageVersion)}`]),
+)
 const task = (job: Job, round = 0): Task => ({
   job,
   round,
@@ -109,40 +135,57 @@ const task = (job: Job, round = 0): Task => ({
 })
 
 const outcomes = new Map<string, unknown>()
+const failures = new Map<string, string>()
+let resumed = false
+
+process.on('SIGINT', () => {
+  console.error('\nstopped; the same command goes on from here')
+  process.exit(130)
+})
 
 /** Runs tasks in order, at most `workers` at once, and says how far it is. */
 async function runAll(title: string, tasks: Task[], workers: number) {
-  const queue = tasks.filter(({ key }) => {
-    if (done.has(key)) outcomes.set(key, done.get(key))
-    return !done.has(key)
+  const queue = tasks.filter(({ key, job }) => {
+    if (done.has(key)) {
+      outcomes.set(key, done.get(key))
+      if (job.kind !== 'errors') resumed = true
+    }
+    return !outcomes.has(key)
   })
   const total = queue.length
+  if (total === 0) return
   const start = performance.now()
+  const before = spent.seconds
   let finished = 0
   const worker = async () => {
     for (let next = queue.shift(); next && performance.now() < deadline; next = queue.shift()) {
       let outcome: unknown = null
       try {
         outcome = await runJob(child, next.job, patience(next.job))
+        if (outcome === null) failures.set(next.key, `given up after ${patience(next.job) / 1000} s`)
       } catch (error) {
+        failures.set(next.key, 'crashed')
         console.error(`\n${error instanceof Error ? error.message : error}`)
       }
       outcomes.set(next.key, outcome)
       const file = next.job.kind === 'errors' ? errorCache : partial
-      if (!quick) appendFileSync(file, `${JSON.stringify([next.key, outcome])}\n`)
+      if (!quick && outcome !== null) appendFileSync(file, `${JSON.stringify([next.key, outcome])}\n`)
       finished++
       const elapsed = (performance.now() - start) / 1000
       const remaining = (elapsed / finished) * (total - finished)
-      const scene = 'scene' in next.job ? next.job.scene : `${next.job.chips} chips`
+      const scene = 'scene' in next.job ? next.job.scene : `${'chips' in next.job ? next.job.chips : 0} chips`
       const line = `${title} ${finished}/${total}, ${elapsed.toFixed(0)} s, ${remaining.toFixed(0)} s to go: ${next.job.engine}, ${scene}`
       if (process.stderr.isTTY) process.stderr.write(`\r\x1b[K${line.slice(0, 100)}`)
-      else if (finished % 25 === 0 || finished === total) console.error(line)
+      else if (finished % 25 === 0) console.error(line)
     }
   }
   await Promise.all(Array.from({ length: workers }, worker))
   if (process.stderr.isTTY) process.stderr.write('\r\x1b[K')
+  const elapsed = (performance.now() - start) / 1000
+  const seconds = `${elapsed.toFixed(0)} s, ${(spent.seconds - before).toFixed(0)} s of processor`
+  console.error(`${title}: ${finished} of ${total} in ${seconds}`)
   if (finished < total) {
-    console.error(`${title}: ${finished} of ${total} done; call again to go on`)
+    console.error('call again to go on')
     process.exit(75)
   }
 }
@@ -150,160 +193,248 @@ async function runAll(title: string, tasks: Task[], workers: number) {
 const outcomeOf = <J extends Job>(job: J, round = 0) =>
   (outcomes.get(task(job, round).key) ?? null) as Outcome<J> | null
 
-const settingsFor = (engine: Engine, scene: Scene): Setting[][] => {
-  if (quick) return [[engine.settings[0]]]
-  if (isLarge(scene)) return [[engine.settings[0]], [engine.accurate]]
-  return [engine.settings]
+/** Settings to film together, and from how many seeds. Whoever is slow is filmed as it comes, and briefly else. */
+function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
+  const [first, ...others] = engine.settings
+  if (quick) return [{ settings: [first], seeds: Math.min(2, scene.seeds) }]
+  const large = largeSize(scene)
+  if (large) {
+    const settings = engine.slow && large === 1000 ? [first] : [first, engine.accurate]
+    return settings.map((setting) => ({ settings: [setting], seeds: engine.slow ? 1 : scene.seeds }))
+  }
+  if (!engine.slow || scene.seeds === 1) return [{ settings: engine.settings, seeds: scene.seeds }]
+  return [
+    { settings: [first], seeds: scene.seeds },
+    { settings: others, seeds: 2 },
+  ]
 }
 
-// Errors don't depend on what else the machine does: two at a time.
-let errorJobs = engines.flatMap((engine) =>
-  chosenScenes.flatMap((scene) =>
-    settingsFor(engine, scene).map((settings) => ({
+// Errors don't depend on what else the machine does: two at a time, those that take longest first.
+type ErrorJob = Extract<Job, { kind: 'errors' }>
+const takesLong = (engine: Engine, scene: Scene) =>
+  largeSize(scene) > 0 || (engine.slow && /^pour/.test(scene.name)) ? 0 : 1
+let errorJobs: ErrorJob[] = engines
+  .flatMap((engine) => chosenScenes.map((scene) => ({ engine, scene })))
+  .sort((a, b) => takesLong(a.engine, a.scene) - takesLong(b.engine, b.scene))
+  .flatMap(({ engine, scene }) =>
+    filmed(engine, scene).map((films) => ({
       kind: 'errors' as const,
       engine: engine.name,
       scene: scene.name,
-      settings,
-      seeds: quick ? 2 : scene.seeds,
+      ...films,
     })),
-  ),
-)
-await runAll(
-  'errors',
-  errorJobs.map((job) => task(job)),
-  2,
-)
+  )
+const asTasks = (jobs: Job[], round = 0) => jobs.map((job) => task(job, round))
+await runAll('errors', asTasks(errorJobs), 2)
 
-// Where all settings together took too long, each has a time of its own.
-errorJobs = errorJobs.flatMap((job) =>
-  outcomeOf(job) === null ? job.settings.map((setting) => ({ ...job, settings: [setting] })) : [job],
+// Where all settings together took too long, or one broke down, each has a process of its own.
+const alone = errorJobs.flatMap((job) =>
+  outcomeOf(job) === null && job.settings.length > 1
+    ? job.settings.map((setting) => ({ ...job, settings: [setting] }))
+    : [],
 )
-await runAll(
-  'errors, setting by setting',
-  errorJobs.filter((job) => job.settings.length === 1).map((job) => task(job)),
-  2,
-)
+await runAll('errors, setting by setting', asTasks(alone), 2)
+errorJobs = [...errorJobs, ...alone]
 if (options.errors) process.exit(0)
 
-// Costs: one process at a time, engines in turn, round after round.
-const sceneCostJobs = chosenScenes.flatMap((scene) =>
-  engines.flatMap((engine) =>
-    settingsFor(engine, scene).map((settings) => ({
-      kind: 'scene cost' as const,
-      engine: engine.name,
-      scene: scene.name,
-      settings,
-      milliseconds: quick ? 60 : settings.length * 50,
-    })),
+const errors: ErrorRow[] = engines.flatMap((engine) =>
+  chosenScenes.flatMap((scene) =>
+    engine.settings.flatMap((setting) => {
+      for (const job of errorJobs) {
+        const rows = job.engine === engine.name && job.scene === scene.name && outcomeOf(job)
+        const i = job.settings.findIndex((other) => settingName(other) === settingName(setting))
+        if (!rows || i < 0) continue
+        const values = rows[i].map((value) => (Number.isFinite(value) ? value : null))
+        return [{ engine: engine.name, setting, scene: scene.name, errors: values, seeds: job.seeds }]
+      }
+      return []
+    }),
   ),
 )
-/** A job that was given up once is not tried again. */
-const hopeful = (jobs: Job[], round: number) =>
-  jobs.filter((job) => round === 0 || outcomes.get(task(job, round - 1).key) !== null)
 
-for (let round = 0; round < rounds; round++) {
-  // Large piles are few seconds each and differ little from round to round: one round.
-  const jobs = sceneCostJobs.filter((job) => round === 0 || !/-(250|1000)$/.test(job.scene))
-  await runAll(
-    `cost of scenes, round ${round + 1} of ${rounds}`,
-    hopeful(jobs, round).map((job) => task(job, round)),
-    1,
-  )
+// Costs: one process at a time, engines in turn, round after round.
+const busySeconds = () => {
+  const times = cpus().map(({ times: { idle, ...busy } }) => ({ idle, busy: Object.values(busy) }))
+  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0)
+  const { user, system } = process.cpuUsage()
+  return {
+    busy: sum(times.flatMap(({ busy }) => busy)) / 1000,
+    idle: sum(times.map(({ idle }) => idle)) / 1000,
+    own: spent.seconds + (user + system) / 1e6,
+  }
+}
+const machineBefore = busySeconds()
+
+type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
+const sceneCostJobs = (round: number): SceneCostJob[] =>
+  chosenScenes
+    .filter((scene) => !largeSize(scene))
+    .flatMap((scene) =>
+      engines.flatMap((engine) => {
+        // Whoever lost its way has no place on the plot, whatever it cost.
+        let settings = errors
+          .filter((row) => row.engine === engine.name && row.scene === scene.name)
+          .map((row) => row.setting)
+        if (round > 0) {
+          settings = settings.filter((setting) => {
+            const cost = sceneCostOf(engine.name, scene, setting, 0)
+            return cost !== null && cost * 60 * Math.min(6, scene.seconds) < long
+          })
+        }
+        if (settings.length === 0) return []
+        return [
+          {
+            kind: 'scene cost',
+            engine: engine.name,
+            scene: scene.name,
+            settings,
+            seed: 1 + (round % scene.seeds),
+            milliseconds: 15,
+          },
+        ]
+      }),
+    )
+const sceneJobs: SceneCostJob[][] = []
+function sceneCostOf(engine: string, scene: { name: string }, setting: Setting, round: number) {
+  const job = sceneJobs[round]?.find((job) => job.engine === engine && job.scene === scene.name)
+  const i = job?.settings.findIndex((other) => settingName(other) === settingName(setting)) ?? -1
+  return i < 0 ? null : (outcomeOf(job!, round)?.[i] ?? null)
 }
 
-const pourSettings = (engine: Engine) =>
-  quick ? [engine.settings[0]] : [engine.settings[0], engine.accurate]
-const pourCosts: PourCostRow[] = []
-if (!options.scene) {
-  // µs per frame at the size before, to know which runs would take minutes.
-  const before = new Map<string, number>()
-  for (const chips of quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]) {
-    const contestants = engines.flatMap((engine) =>
-      pourSettings(engine).map((setting) => ({ engine: engine.name, setting })),
-    )
-    const nameOf = (c: { engine: string; setting: Setting }) => `${c.engine} ${JSON.stringify(c.setting)}`
-    const able = contestants.filter(
-      (c) => (before.get(nameOf(c)) ?? 0) < (quick ? 400 : chips > 1000 ? 10_000 : 40_000),
-    )
-    const jobOf = (c: { engine: string; setting: Setting }) => ({
-      kind: 'pour cost' as const,
-      ...c,
-      chips,
-      shape: 'pills' as const,
-      milliseconds: quick ? 100 : 300,
-    })
-    const sizeRounds = chips > 1000 ? 1 : rounds
-    for (let round = 0; round < sizeRounds; round++) {
-      const jobs = able.filter((c) => round === 0 || (before.get(nameOf(c)) ?? 0) < 2000).map(jobOf)
-      await runAll(
-        `${chips} chips, round ${round + 1} of ${sizeRounds}`,
-        hopeful(jobs, round).map((job) => task(job, round)),
-        1,
-      )
-    }
-    for (const contestant of contestants) {
-      const runs = Array.from({ length: sizeRounds }, (_, round) => outcomeOf(jobOf(contestant), round))
-      const costs = runs.filter((run): run is Cost => run !== null)
-      const means = costs.map((cost) => cost.mean)
-      const previous = before.get(nameOf(contestant)) ?? 0
-      pourCosts.push({
-        ...contestant,
-        chips,
-        cost: costs.length > 0 ? medianCost(costs) : null,
-        spread: costs.length > 0 ? Math.max(...means) / Math.min(...means) : null,
-        ...(costs.length > 0
-          ? {}
-          : {
-              reason: able.includes(contestant)
-                ? `given up after ${patience(jobOf(contestant)) / 1000} s`
-                : `left out: ${(previous / 1000).toFixed(0)} ms a frame with a quarter of the chips`,
-            }),
-      })
-      before.set(nameOf(contestant), costs.length > 0 ? median(means) : Number.POSITIVE_INFINITY)
-    }
-  }
+type Contestant = { engine: string; setting: Setting }
+const sizes = quick
+  ? [12, 60, 250]
+  : options.scene
+    ? chosenScenes.map(largeSize).filter(Boolean)
+    : [12, 60, 250, 1000, 4000]
+const contestants = (chips: number): Contestant[] =>
+  engines.flatMap((engine) => {
+    const few = quick || chips > 1000 || (chips === 1000 && engine.slow)
+    const settings = few ? [engine.settings[0]] : [engine.settings[0], engine.accurate]
+    return settings.map((setting) => ({ engine: engine.name, setting }))
+  })
+const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
+  kind: 'pour cost' as const,
+  engine,
+  setting,
+  chips,
+  shape: 'pills' as const,
+  milliseconds: quick ? 100 : 300,
+})
+const pourOf = (contestant: Contestant, chips: number, round = 0) =>
+  outcomeOf(pourJob(contestant, chips), round)
+/** What a pour is known to cost at least when fewer chips were too many, or Infinity when they broke it. */
+function tooMany(contestant: Contestant, chips: number): number | undefined {
+  const fewer = sizes[sizes.indexOf(chips) - 1]
+  if (!fewer) return undefined
+  const before = pourOf(contestant, fewer)
+  if (!before) return tooMany(contestant, fewer) ?? Number.POSITIVE_INFINITY
+  if ('atLeast' in before) return before.atLeast
+  return quick && before.mean > 400 ? before.mean : undefined
 }
 
 const singles = engines.flatMap((engine) => [
   { kind: 'asleep' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
   { kind: 'allocation' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
 ])
-if (!quick && !options.scene)
-  await runAll(
-    'asleep and allocation',
-    singles.map((job) => task(job)),
-    1,
-  )
 
-const errors: ErrorRow[] = errorJobs.flatMap((job) => {
-  const rows = outcomeOf(job)
-  return rows === null
-    ? []
-    : job.settings.map((setting, i) => ({
-        engine: job.engine,
-        setting,
-        scene: job.scene,
-        errors: rows[i].map((value) => (Number.isFinite(value) ? value : null)),
-        seeds: job.seeds,
-      }))
-})
+let rounds = 0
+for (; rounds < mostRounds && (rounds === 0 || performance.now() < lastRound); rounds++) {
+  const title = `round ${rounds + 1} of ${mostRounds}`
+  sceneJobs[rounds] = sceneCostJobs(rounds)
+  await runAll(`cost of scenes, ${title}`, asTasks(sceneJobs[rounds], rounds), 1)
+  for (const chips of sizes) {
+    const able = contestants(chips).filter((contestant) => {
+      if (rounds === 0) return tooMany(contestant, chips) === undefined
+      const first = pourOf(contestant, chips)
+      return first && 'mean' in first && first.mean * 240 < long
+    })
+    const jobs = able.map((contestant) => pourJob(contestant, chips))
+    await runAll(`cost of ${chips} chips, ${title}`, asTasks(jobs, rounds), 1)
+  }
+  if (rounds === 0 && !quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
+}
 
-const sceneCosts: SceneCostRow[] = sceneCostJobs.flatMap((job) => {
-  const perRound = Array.from({ length: rounds }, (_, round) => outcomeOf(job, round)).filter(
-    (run) => run !== null,
-  )
-  if (perRound.length === 0) return []
-  return job.settings.map((setting, i) => {
-    const costs = perRound.map((run) => run[i])
-    return {
-      engine: job.engine,
-      setting,
-      scene: job.scene,
-      cost: median(costs),
-      spread: Math.max(...costs) / Math.min(...costs),
+const machineAfter = busySeconds()
+const elapsedOf = (key: keyof typeof machineAfter) => machineAfter[key] - machineBefore[key]
+const others = Math.max(0, elapsedOf('busy') - elapsedOf('own')) / (elapsedOf('busy') + elapsedOf('idle'))
+
+const pourCosts: PourCostRow[] = sizes.flatMap((chips) =>
+  contestants(chips).map((contestant) => {
+    const runs = Array.from({ length: rounds }, (_, round) => pourOf(contestant, chips, round))
+    const costs = runs.filter((run): run is Cost => run !== null && 'mean' in run)
+    const row = { ...contestant, chips }
+    if (costs.length > 0) {
+      const means = costs.map((cost) => cost.mean)
+      return { ...row, cost: medianCost(costs), spread: Math.max(...means) / Math.min(...means) }
     }
-  })
-})
+    const [first] = runs
+    const bound = first && 'atLeast' in first ? first.atLeast : tooMany(contestant, chips)
+    return {
+      ...row,
+      cost: null,
+      spread: null,
+      ...(bound !== undefined && Number.isFinite(bound)
+        ? {
+            atLeast: bound,
+            reason: `given up after ${(bound * 240) / 1e6} s, with these or with fewer chips`,
+          }
+        : { reason: failures.get(task(pourJob(contestant, chips)).key) ?? 'failed with fewer chips' }),
+    }
+  }),
+)
+
+const sceneCosts: SceneCostRow[] = chosenScenes.flatMap((scene) =>
+  engines.flatMap((engine) =>
+    engine.settings.flatMap((setting) => {
+      const row = { engine: engine.name, setting, scene: scene.name }
+      const pour = pourCosts.find(
+        (pour) =>
+          pour.chips === largeSize(scene) &&
+          pour.engine === engine.name &&
+          settingName(pour.setting) === settingName(setting),
+      )
+      if (pour?.cost) return [{ ...row, cost: pour.cost.mean, spread: pour.spread ?? 1 }]
+      const costs = Array.from({ length: rounds }, (_, round) =>
+        sceneCostOf(engine.name, scene, setting, round),
+      ).filter((cost) => cost !== null)
+      if (costs.length === 0) return []
+      return [{ ...row, cost: median(costs), spread: Math.max(...costs) / Math.min(...costs) }]
+    }),
+  ),
+)
+
+const missing: MissingRow[] = engines.flatMap((engine) =>
+  chosenScenes.flatMap((scene) =>
+    filmed(engine, scene).flatMap(({ settings }) =>
+      settings.flatMap((setting) => {
+        const isThis = (row: { engine: string; scene: string; setting: Setting }) =>
+          row.engine === engine.name &&
+          row.scene === scene.name &&
+          settingName(row.setting) === settingName(setting)
+        const error = errors.some(isThis)
+        if (error && sceneCosts.some(isThis)) return []
+        const job = error
+          ? sceneJobs[0].find((job) => isThis({ ...job, setting }))
+          : errorJobs.findLast((job) => isThis({ ...job, setting }) && failures.has(task(job).key))
+        const pour = pourCosts.find(
+          (row) => isThis({ ...row, scene: scene.name }) && row.chips === largeSize(scene),
+        )
+        const reason = (job && failures.get(task(job).key)) ?? pour?.reason ?? 'not measured'
+        return [{ engine: engine.name, setting, scene: scene.name, reason }]
+      }),
+    ),
+  ),
+)
+
+/** Which state of this repository it is, where that is known. */
+function commit() {
+  try {
+    return execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim()
+  } catch {
+    return 'unknown'
+  }
+}
 
 const single = (kind: 'asleep' | 'allocation') =>
   Object.fromEntries(singles.filter((job) => job.kind === kind).map((job) => [job.engine, outcomeOf(job)]))
@@ -324,7 +455,11 @@ const results: Results = {
     ]),
   ),
   quick,
-  commit: execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim(),
+  minutes: Number((performance.now() / 60_000).toFixed(1)),
+  resumed,
+  others: Number(others.toFixed(3)),
+  rounds,
+  commit: commit(),
   scenes: chosenScenes.map(({ name, title, seeds, measures }) => ({
     name,
     title,
@@ -339,6 +474,7 @@ const results: Results = {
   errors,
   sceneCosts,
   pourCosts,
+  missing,
   asleep: single('asleep'),
   allocation: single('allocation'),
   bytes: quick ? [] : await engineBytes(),
@@ -356,18 +492,16 @@ console.log(
 )
 if (pourCosts.length > 0) {
   console.log('\nµs per frame, all awake, mean of 4 s (p95)')
-  const sizes = [...new Set(pourCosts.map((row) => row.chips))]
   console.log(`${''.padEnd(50)}${sizes.map((size) => `${size} chips`.padStart(18)).join('')}`)
   for (const engine of engines) {
-    for (const setting of pourSettings(engine)) {
+    for (const setting of quick ? [engine.settings[0]] : [engine.settings[0], engine.accurate]) {
       const cells = sizes.map((size) => {
         const row = pourCosts.find(
           (r) =>
-            r.engine === engine.name &&
-            r.chips === size &&
-            JSON.stringify(r.setting) === JSON.stringify(setting),
+            r.engine === engine.name && r.chips === size && settingName(r.setting) === settingName(setting),
         )
-        return (row?.cost ? `${number(row.cost.mean)} (${number(row.cost.p95)})` : '–').padStart(18)
+        const bound = row?.atLeast ? `> ${number(row.atLeast)}` : '–'
+        return (row?.cost ? `${number(row.cost.mean)} (${number(row.cost.p95)})` : bound).padStart(18)
       })
       console.log(`${`${engine.name}, ${settingName(setting)}`.padEnd(50)}${cells.join('')}`)
     }
@@ -432,14 +566,17 @@ if (options.out || (!quick && !part)) {
         (key) => row.cost?.[key].toFixed(2) ?? '',
       ),
       row.spread?.toFixed(3) ?? '',
+      row.atLeast?.toFixed(0) ?? '',
       quote(row.reason ?? ''),
     ].join(','),
   )
   writeFileSync(
     join(folder, 'costs.csv'),
-    `${['engine,setting,chips,mean_us,pour_us,settled_us,p50_us,p95_us,worst_us,spread,reason', ...costLines].join('\n')}\n`,
+    `${['engine,setting,chips,mean_us,pour_us,settled_us,p50_us,p95_us,worst_us,spread,at_least_us,reason', ...costLines].join('\n')}\n`,
   )
   if (!options.out) rmSync(partial, { force: true })
-  console.log(`\nwritten: results.json, errors.csv and costs.csv in ${folder}`)
+  console.log(
+    `\nwritten after ${results.minutes} minutes: results.json, errors.csv and costs.csv in ${folder}`,
+  )
 }
 process.exit(0)

@@ -31,6 +31,7 @@ export const circleChains = {
     { steps: 8, passes: 8 },
   ],
   accurate: { steps: 8, passes: 8 },
+  slow: true,
   async load() {},
   start(scene: Pick<Scene, 'width' | 'height' | 'conditions'>, chips: Chip[], { steps, passes }: Setting) {
     const { gravity, friction, bounce, bounceThreshold, linearDamping, angularDamping } = scene.conditions

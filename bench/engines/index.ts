@@ -16,11 +16,16 @@ const loaders: Record<string, () => Promise<Engine>> = {
 
 export const engineNames = Object.keys(loaders)
 
-/** The engine, ready to start scenes; `ours` is short for gravity-stack. */
-export async function loadEngine(name: string) {
+/** The engine's name, settings and packages; `ours` is short for gravity-stack. */
+export function describeEngine(name: string) {
   const load = loaders[name === 'ours' ? 'gravity-stack' : name]
   if (!load) throw new Error(`no engine "${name}"; there are ${engineNames.join(', ')}`)
-  const engine = await load()
+  return load()
+}
+
+/** The engine, ready to start scenes. */
+export async function loadEngine(name: string) {
+  const engine = await describeEngine(name)
   await engine.load()
   return engine
 }
