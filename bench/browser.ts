@@ -2,9 +2,8 @@
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
 //   npm run bench:browser                            writes bench/results/browser.json; about four minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
-import { execFileSync } from 'node:child_process'
-import { readFileSync, writeFileSync } from 'node:fs'
-import { arch, cpus, release, totalmem, type } from 'node:os'
+//   npm run bench:browser -- --out folder            writes there
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { type Browser, type BrowserContext, type CDPSession, chromium, type Page } from '@playwright/test'
@@ -14,9 +13,10 @@ import type {} from './browser/observe'
 import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
 import { serve, stageNames } from './browser/serve'
 import { categories, Trace } from './browser/trace'
+import { commit, machine } from './machine'
 import { root } from './run-job'
 
-const { values: options } = parseArgs({ options: { stage: { type: 'string' } } })
+const { values: options } = parseArgs({ options: { stage: { type: 'string' }, out: { type: 'string' } } })
 
 /** Each drop that is timed: chips, ms between releases, times slowed down. */
 const drops = [
@@ -217,14 +217,15 @@ async function weighHeap(stage: StageName) {
   }
 }
 
-/** Once more if it fails: a browser may stumble, and nobody may be here to see. */
-async function attempt<T>(name: string, work: () => Promise<T>): Promise<T> {
+/** Up to three times if it fails: a browser may stumble, and nobody may be here to see. */
+async function attempt<T>(name: string, work: () => Promise<T>, left = 2): Promise<T> {
   log(name)
   try {
     return await work()
   } catch (error) {
+    if (left === 0) throw error
     log(`${name}: once more, after ${error}`)
-    return await work()
+    return attempt(name, work, left - 1)
   }
 }
 
@@ -233,7 +234,12 @@ async function measure(stages: StageName[]) {
   const results = Object.fromEntries(
     stages.map((stage) => [
       stage,
-      { drops: [] as Drop[], firstDrop: {}, interaction: {} } as unknown as StageResult,
+      {
+        bytes: server.bytes(stage),
+        drops: [] as Drop[],
+        firstDrop: {},
+        interaction: {},
+      } as unknown as StageResult,
     ]),
   )
   const browser = await launch()
@@ -285,13 +291,9 @@ for (const stage of stages) {
 if (!options.stage) {
   const written: BrowserResults = {
     date: new Date().toISOString(),
-    commit: execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim(),
+    commit: commit(),
     machine: {
-      cpu: cpus()[0].model.trim(),
-      cores: cpus().length,
-      memoryGB: Math.round(totalmem() / 2 ** 30),
-      system: `${type()} ${release().split('-')[0]} ${arch()}`,
-      node: process.version,
+      ...machine,
       browser: `Chromium ${version}`,
     },
     versions: {
@@ -300,7 +302,9 @@ if (!options.stage) {
     },
     stages: results as BrowserResults['stages'],
   }
-  const file = join(root, 'bench/results/browser.json')
+  const folder = options.out ?? join(root, 'bench/results')
+  mkdirSync(folder, { recursive: true })
+  const file = join(folder, 'browser.json')
   writeFileSync(file, `${JSON.stringify(written, null, 1)}\n`)
   console.log(`\nwritten: ${file}`)
 }

@@ -6,7 +6,6 @@
 //   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
 //   npm run bench -- --minutes 5      stops after five; the next call goes on from there
 //   npm run bench -- --fresh          forgets what was measured before
-import { execFileSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import {
   appendFileSync,
@@ -17,7 +16,7 @@ import {
   rmSync,
   writeFileSync,
 } from 'node:fs'
-import { arch, cpus, release, totalmem, type } from 'node:os'
+import { cpus } from 'node:os'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { scenes } from '../scenes'
@@ -27,6 +26,7 @@ import { type Engine, type Setting, settingName } from './engine'
 import { describeEngine, engineNames } from './engines'
 import { median } from './film'
 import { type Cost, type Job, medianCost } from './job'
+import { commit, machine } from './machine'
 import {
   type ErrorRow,
   type MissingRow,
@@ -427,27 +427,12 @@ const missing: MissingRow[] = engines.flatMap((engine) =>
   ),
 )
 
-/** Which state of this repository it is, where that is known. */
-function commit() {
-  try {
-    return execFileSync('git', ['rev-parse', '--short', 'HEAD'], { cwd: root, encoding: 'utf8' }).trim()
-  } catch {
-    return 'unknown'
-  }
-}
-
 const single = (kind: 'asleep' | 'allocation') =>
   Object.fromEntries(singles.filter((job) => job.kind === kind).map((job) => [job.engine, outcomeOf(job)]))
 
 const results: Results = {
   date: new Date().toISOString(),
-  machine: {
-    cpu: cpus()[0].model.trim(),
-    cores: cpus().length,
-    memoryGB: Math.round(totalmem() / 2 ** 30),
-    system: `${type()} ${release().split('-')[0]} ${arch()}`,
-    node: process.version,
-  },
+  machine,
   versions: Object.fromEntries(
     engines.map((engine) => [
       engine.name,

@@ -1,3 +1,5 @@
+import type * as React from 'react'
+
 const WORDS =
   'design tokens motion springs layout colour type grid focus contrast states icons voice scale rhythm depth'.split(
     ' ',
@@ -27,4 +29,26 @@ export interface StageProps {
   height: number
   /** Never lets the pile rest. */
   restless: boolean
+}
+
+/** What a stage without a component of its own starts from: chips above a box, for a script to move. */
+export function Field({
+  ref,
+  chips,
+  ...size
+}: { ref: React.Ref<HTMLDivElement> } & Pick<StageProps, 'chips' | 'width' | 'height'>) {
+  return (
+    <div ref={ref} className="relative overflow-hidden bg-neutral-100" style={size}>
+      {pills(chips).map(({ key, pill }) => (
+        <div
+          key={key}
+          data-slot="gravity-stack-chip"
+          className="absolute top-0 left-0 w-max will-change-transform"
+          style={{ transform: 'translateY(-200px)' }}
+        >
+          {pill}
+        </div>
+      ))}
+    </div>
+  )
 }

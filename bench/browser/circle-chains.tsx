@@ -4,7 +4,7 @@ import { ANGULAR_DAMPING, LINEAR_DAMPING } from '../../registry/gravity-stack/co
 import { releasePose } from '../../registry/gravity-stack/drop'
 import { conditions, frame as frameSeconds, numbersPerChip } from '../../scenes/scene'
 import { circleChains } from '../engines/circle-chains'
-import { pills, type StageProps } from './chips'
+import { Field, type StageProps } from './chips'
 
 const damped = { ...conditions, linearDamping: LINEAR_DAMPING, angularDamping: ANGULAR_DAMPING }
 
@@ -51,18 +51,5 @@ export default function Stage({ chips, stagger, width, height }: StageProps) {
       cancelFrame(tick)
     }
   }, [chips, stagger, width, height])
-  return (
-    <div ref={root} className="relative overflow-hidden bg-neutral-100" style={{ width, height }}>
-      {pills(chips).map(({ key, pill }) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          className="absolute top-0 left-0 w-max will-change-transform"
-          style={{ transform: 'translateY(-200px)' }}
-        >
-          {pill}
-        </div>
-      ))}
-    </div>
-  )
+  return <Field ref={root} chips={chips} width={width} height={height} />
 }

@@ -3,7 +3,7 @@ import * as React from 'react'
 import { releasePose } from '../../registry/gravity-stack/drop'
 import { conditions } from '../../scenes/scene'
 import { walls } from '../engine'
-import { pills, type StageProps } from './chips'
+import { Field, type StageProps } from './chips'
 
 /** Matter with DOM elements, the way its users build it: Engine, Runner, a mouse constraint, and a loop that writes transforms. */
 export default function Stage({ chips, stagger, width, height }: StageProps) {
@@ -60,18 +60,5 @@ export default function Stage({ chips, stagger, width, height }: StageProps) {
       Matter.Engine.clear(engine)
     }
   }, [stagger, width, height])
-  return (
-    <div ref={root} className="relative overflow-hidden bg-neutral-100" style={{ width, height }}>
-      {pills(chips).map(({ key, pill }) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          className="absolute top-0 left-0 w-max will-change-transform"
-          style={{ transform: 'translateY(-200px)' }}
-        >
-          {pill}
-        </div>
-      ))}
-    </div>
-  )
+  return <Field ref={root} chips={chips} width={width} height={height} />
 }

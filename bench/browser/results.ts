@@ -29,6 +29,8 @@ export type Drop = {
 }
 
 export type StageResult = {
+  /** Bytes of its script, minified and compressed, all but React. */
+  bytes: number
   drops: Drop[]
   /** ms of script, style and layout between the view of 60 chips and their first frame, by throttle. */
   firstDrop: Record<string, number>

@@ -3,6 +3,7 @@ import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import type { AddressInfo } from 'node:net'
 import { join } from 'node:path'
+import { gzipSync } from 'node:zlib'
 import tailwind from '@tailwindcss/postcss'
 import { type BuildOptions, build } from 'esbuild'
 import postcss from 'postcss'
@@ -27,7 +28,7 @@ async function bundle(stage: StageName) {
     resolveDir: here,
     loader: 'tsx' as const,
   })
-  const [client, server] = await Promise.all([
+  const [client, server, alone] = await Promise.all([
     build({
       ...common,
       format: 'esm',
@@ -46,11 +47,21 @@ async function bundle(stage: StageName) {
         export const render = (props) => renderToString(<Stage {...props} />)
       `),
     }),
+    build({
+      ...common,
+      format: 'esm',
+      external: ['react', 'react/jsx-runtime'],
+      stdin: stdin('export default Stage'),
+    }),
   ])
   const module = { exports: {} as { render: (props: object) => string } }
   const require = createRequire(import.meta.url)
   new Function('module', 'exports', 'require', server.outputFiles![0].text)(module, module.exports, require)
-  return { script: client.outputFiles![0].text, render: module.exports.render }
+  return {
+    script: client.outputFiles![0].text,
+    bytes: gzipSync(alone.outputFiles![0].contents, { level: 9 }).length,
+    render: module.exports.render,
+  }
 }
 
 const css = `@import "tailwindcss" source(none);
@@ -94,5 +105,6 @@ export async function serve() {
   })
   await new Promise<void>((resolve) => server.listen(0, resolve))
   const { port } = server.address() as AddressInfo
-  return { url: `http://localhost:${port}`, close: () => server.close() }
+  const bytes = (stage: StageName) => bundles[stage].bytes
+  return { url: `http://localhost:${port}`, bytes, close: () => server.close() }
 }
