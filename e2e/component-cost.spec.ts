@@ -291,11 +291,10 @@ async function allocated(session: CDPSession, work: () => Promise<unknown>) {
   return bytes(profile.head)
 }
 
-test('half a minute of a pile at work keeps nothing on the heap and makes little', async ({
-  stage,
-  page,
-}) => {
+test('half a minute of a pile at work keeps nothing on the heap and makes little', async ({ page }) => {
   test.slow()
+  // Without the probe: the stack traces that it reads take and give back half a megabyte at any time.
+  const stage = new StagePage(page)
   await stage.open('pile', { chips: 60, stagger: 10, restless: true })
   await expect(stage.chips.last()).toHaveAttribute('data-state', 'falling')
   const session = await page.context().newCDPSession(page)
@@ -304,11 +303,21 @@ test('half a minute of a pile at work keeps nothing on the heap and makes little
     await session.send('HeapProfiler.collectGarbage')
     return (await session.send('Runtime.getHeapUsage')).usedSize
   }
-  const frames = (count: number) => page.evaluate((passed) => window.probe.pass(passed), count)
+  const frames = (count: number) =>
+    page.evaluate(async (passed) => {
+      for (let i = 0; i < passed; i++) await new Promise(requestAnimationFrame)
+    }, count)
   // The first two seconds size the arrays and compile the code.
   await frames(120)
-  const before = await kept()
-  const bytes = await allocated(session, () => frames(1800))
-  expect((await kept()) - before).toBeLessThan(200_000)
+  let bytes = 0
+  const growth: number[] = []
+  for (let span = 0; span < 9; span++) {
+    const before = await kept()
+    bytes += await allocated(session, () => frames(200))
+    growth.push((await kept()) - before)
+  }
+  // What leaks grows in every span; code that the engine compiles late, or throws away, tells of one span only.
+  const usual = growth.sort((a, b) => a - b)[4]
+  expect(usual * growth.length).toBeLessThan(200_000)
   expect(bytes / 1800).toBeLessThan(20_000)
 })
