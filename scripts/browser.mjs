@@ -1,4 +1,5 @@
 // Finds a Chromium for the tests: one that is here, else Playwright's own, else the system package manager's.
+// And two more engines that the solver's bits are compared in, where they are here or can be had.
 import { execFileSync } from 'node:child_process'
 import { accessSync, constants } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -8,11 +9,11 @@ import { isMain, run } from './run.mjs'
 const names = ['chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome']
 const macPaths = ['/Applications/Google Chrome.app/Contents/MacOS/Google Chrome']
 
-/** Its version when it starts, so that a browser whose libraries are missing isn't taken. */
-function versionOf(path) {
+/** What it says when it starts, so that a browser whose libraries are missing isn't taken. */
+function versionOf(path, ...args) {
   try {
     accessSync(path, constants.X_OK)
-    return execFileSync(path, ['--version'], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim()
+    return execFileSync(path, args, { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim()
   } catch {
     return undefined
   }
@@ -20,14 +21,14 @@ function versionOf(path) {
 
 const playwrightsOwn = () => createRequire(import.meta.url)('playwright-core').chromium.executablePath()
 
+const onPath = (names) =>
+  (process.env.PATH ?? '').split(delimiter).flatMap((dir) => names.map((name) => join(dir, name)))
+
 /** The path and version of a browser that is already here, or undefined. CHROME_PATH has the first word. */
 export function findBrowser() {
-  const onPath = (process.env.PATH ?? '')
-    .split(delimiter)
-    .flatMap((dir) => names.map((name) => join(dir, name)))
-  const found = [process.env.CHROME_PATH, ...onPath, ...macPaths, playwrightsOwn()]
+  const found = [process.env.CHROME_PATH, ...onPath(names), ...macPaths, playwrightsOwn()]
   for (const path of found) {
-    const version = path && versionOf(path)
+    const version = path && versionOf(path, '--version')
     if (version) return { path, version }
   }
 }
@@ -38,17 +39,19 @@ async function download() {
   if (code === 0 && !findBrowser()) await run('playwright', ['install-deps', 'chromium'])
 }
 
-async function aptGet() {
+let updated
+
+async function aptGet(...packages) {
   const env = { DEBIAN_FRONTEND: 'noninteractive' }
-  const packages = ['chromium', 'fonts-liberation']
-  await run('apt-get', ['update', '-q'], { env })
+  updated ??= run('apt-get', ['update', '-q'], { env })
+  await updated
   await run('apt-get', ['install', '-y', '-q', '--no-install-recommends', ...packages], { env })
 }
 
 const ways = [
   { name: 'already here', get: () => {} },
   { name: "Playwright's download", get: download },
-  { name: 'installed by apt-get', get: aptGet },
+  { name: 'installed by apt-get', get: () => aptGet('chromium', 'fonts-liberation') },
 ]
 
 /** Brings a browser, says which, and leaves its path in CHROME_PATH for the tests. */
@@ -65,4 +68,37 @@ export async function bringBrowser() {
   throw new Error('No Chromium could be found, downloaded or installed; set CHROME_PATH to one')
 }
 
-if (isMain(import.meta.url)) await bringBrowser()
+const engines = {
+  Firefox: {
+    names: ['firefox-esr', 'firefox'],
+    macPath: '/Applications/Firefox.app/Contents/MacOS/firefox',
+    version: ['--version'],
+    package: 'firefox-esr',
+  },
+  // WebKit's engine as a bare shell: it tells no version.
+  JavaScriptCore: {
+    names: ['jsc'],
+    macPath: '/System/Library/Frameworks/JavaScriptCore.framework/Versions/Current/Helpers/jsc',
+    version: ['-e', "print('JavaScriptCore')"],
+    package: 'libjavascriptcoregtk-4.0-bin',
+  },
+}
+
+/** The paths of the engines beside Chromium's: undefined for one that isn't here. */
+export const findEngines = () =>
+  Object.entries(engines).map(([name, { names, macPath, version }]) => ({
+    name,
+    path: [...onPath(names), macPath].find((path) => versionOf(path, ...version)),
+  }))
+
+/** Brings the engines that are missing, 90 MB at most, and says which there are. */
+export async function bringEngines() {
+  for (const { name, path } of findEngines()) if (!path) await aptGet(engines[name].package)
+  for (const { name, path } of findEngines())
+    console.log(path ? `${name}: ${path}` : `${name} is not here: no test compares the solver's bits in it`)
+}
+
+if (isMain(import.meta.url)) {
+  await bringBrowser()
+  await bringEngines()
+}

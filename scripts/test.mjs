@@ -58,8 +58,9 @@ await step('Dependencies are installed', async () => {
   return verdict(0)
 })
 await step('A browser is here', async () => {
-  const { bringBrowser } = await import('./browser.mjs')
+  const { bringBrowser, bringEngines } = await import('./browser.mjs')
   await bringBrowser()
+  await bringEngines()
   return verdict(0)
 })
 await check('Code is formatted and clean', ['biome', 'check'])
