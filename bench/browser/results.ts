@@ -29,7 +29,7 @@ export type Drop = {
 }
 
 export type StageResult = {
-  /** Bytes of its script, minified and compressed, all but React. */
+  /** Bytes of its script, minified and compressed, all but React and `cn`. */
   bytes: number
   drops: Drop[]
   /** ms of script, style and layout between the view of 60 chips and their first frame, by throttle. */

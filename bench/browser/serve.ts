@@ -50,7 +50,7 @@ async function bundle(stage: StageName) {
     build({
       ...common,
       format: 'esm',
-      external: ['react', 'react/jsx-runtime'],
+      external: ['react', 'react/jsx-runtime', 'cn'],
       stdin: stdin('export default Stage'),
     }),
   ])
