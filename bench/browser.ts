@@ -8,7 +8,7 @@ import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { type Browser, type BrowserContext, type CDPSession, chromium, type Page } from '@playwright/test'
 import { pourStage } from '../scenes/piles'
-import { findBrowser } from '../scripts/browser.mjs'
+import { bringBrowser } from '../scripts/browser.mjs'
 import type {} from './browser/observe'
 import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
 import { serve, stageNames } from './browser/serve'
@@ -31,10 +31,9 @@ const watched = 2
 const heapSeconds = 30
 const slow = 4
 
-const found = findBrowser()
-if (!found) throw new Error('There is no Chromium here. Run: node scripts/browser.mjs')
+await bringBrowser()
 const server = await serve()
-const launch = () => chromium.launch({ executablePath: found.path })
+const launch = () => chromium.launch({ executablePath: process.env.CHROME_PATH })
 
 type Visit = { stage: StageName; chips: number; stagger: number; throttle?: number; above?: number }
 
