@@ -5,7 +5,7 @@ import { Hero } from '@/components/hero'
 import { ArrowIcon } from '@/components/icons'
 import { PageTools } from '@/components/page-tools'
 import { heroEffects, heroSnippets } from '@/lib/hero-snippets'
-import { type Fact, facts, pitch, ways } from '@/lib/home'
+import { type Fact, facts, pitch, price, ways } from '@/lib/home'
 import { siteUrl } from '@/site.config.mjs'
 
 const snippets = Object.fromEntries(
@@ -24,6 +24,13 @@ export default function Home() {
             <p className="mt-4 max-w-lg text-pretty text-muted-foreground leading-relaxed sm:text-lg">
               {pitch.lead}
             </p>
+            <ul className="mt-4 flex flex-wrap justify-center gap-x-6 gap-y-1 text-muted-foreground text-sm sm:text-base">
+              {price().map(([figure, of]) => (
+                <li key={of}>
+                  <strong className="font-semibold text-foreground tabular-nums">{figure}</strong> {of}
+                </li>
+              ))}
+            </ul>
             <div className="mt-6 flex w-full max-w-xl flex-col items-center gap-4">
               <div className="w-full">
                 <Command

@@ -44,7 +44,10 @@ const components: Record<string, unknown> = {
   h4: heading('h4'),
   // rehype-pretty-code wraps each block in a figure.
   figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
-    <figure {...props} className="code relative overflow-hidden rounded-xl border bg-panel">
+    <figure
+      {...props}
+      className="code relative overflow-hidden rounded-xl border bg-panel max-sm:not-has-[figcaption]:pt-7"
+    >
       <CopyButton className="absolute top-1 right-1.5 bg-panel" />
       {children}
     </figure>
@@ -58,12 +61,27 @@ const components: Record<string, unknown> = {
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a block that scrolls must be reachable
     <pre tabIndex={0}>{children}</pre>
   ),
+  // A short name stays in one piece; what has words may break between them.
+  code: ({ children, ...props }: ComponentProps<'code'>) => (
+    <code
+      {...props}
+      className={
+        typeof children === 'string' && /^(\S{1,28}|.{1,12})$/.test(children)
+          ? 'whitespace-nowrap'
+          : undefined
+      }
+    >
+      {children}
+    </code>
+  ),
   table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
   tr: (props: ComponentProps<'tr'>) => <tr className="border-b last:border-0" {...props} />,
   th: (props: ComponentProps<'th'>) => (
     <th scope="col" className="border-b px-4 py-2.5 font-medium text-muted-foreground" {...props} />
   ),
-  td: (props: ComponentProps<'td'>) => <td className="min-w-28 px-4 py-2.5 align-baseline" {...props} />,
+  td: (props: ComponentProps<'td'>) => (
+    <td className="min-w-28 px-4 py-2.5 align-baseline first:min-w-0" {...props} />
+  ),
   ActionsTable,
   Changelog: () => <Changelog components={components as never} />,
   Command,

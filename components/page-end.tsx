@@ -10,16 +10,26 @@ export function PageEnd({ path }: { path: string }) {
       className="mt-20 flex justify-between gap-4 border-t pt-6"
     >
       {previous ? <Neighbour word="Previous" {...previous} /> : <span />}
-      {next && <Neighbour word="Next" {...next} />}
+      {next && <Neighbour word="Next" {...next} className="text-right" />}
     </nav>
   )
 }
 
-function Neighbour({ word, title, href }: { word: string; title: string; href: string }) {
+function Neighbour({
+  word,
+  title,
+  href,
+  className = '',
+}: {
+  word: string
+  title: string
+  href: string
+  className?: string
+}) {
   return (
     <a
       href={href}
-      className="group -mx-3 rounded-lg px-3 py-2 transition-colors last:text-right hover:bg-muted"
+      className={`group -mx-3 rounded-lg px-3 py-2 transition-colors hover:bg-muted ${className}`}
     >
       <span className="block text-muted-foreground text-sm">{word}</span>
       <span className="font-medium">{title}</span>

@@ -332,7 +332,7 @@ export function Playground() {
             onChange={(event) => change({ interactive: event.target.checked })}
             className="size-4 accent-foreground"
           />
-          interactive
+          <span className="font-mono text-[0.8125rem]">interactive</span>
         </label>
         <button
           type="button"
@@ -349,8 +349,11 @@ export function Playground() {
         </button>
       </form>
 
-      <div className="code relative min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
-        <CopyButton className="absolute top-1.5 right-3 bg-panel" />
+      <div className="code min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
+        <div className="flex items-center justify-between border-b py-1 pr-1.5 pl-4">
+          <span className="font-mono text-muted-foreground text-xs">pile.tsx</span>
+          <CopyButton />
+        </div>
         <div className="[&>pre]:max-h-[32rem]">
           <LiveCode code={code} />
         </div>
@@ -389,7 +392,8 @@ function Range({
     <Field
       label={
         <>
-          <span>{label}</span>
+          {/* Props have their name as it is in the code. */}
+          <span className={label === of ? 'font-mono text-[0.8125rem]' : undefined}>{label}</span>
           <span className="text-muted-foreground tabular-nums">
             {value} {unit}
           </span>

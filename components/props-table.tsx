@@ -1,6 +1,10 @@
 import { readActions, readProps } from '@/lib/props'
 import { ScrollTable } from './scroll-table'
 
+/** JSDoc's words, with what stands in backticks as code. */
+const withCode = (words: string) =>
+  words.split('`').map((part, i) => (i % 2 === 0 ? part : <code key={part}>{part}</code>))
+
 /** Generated from the JSDoc of `GravityStackProps` at build time. */
 export function PropsTable() {
   return (
@@ -8,12 +12,9 @@ export function PropsTable() {
       <thead>
         <tr className="border-b text-muted-foreground">
           <th scope="col" className="px-4 py-2.5 font-medium">
-            Prop
+            Prop and type
           </th>
-          <th scope="col" className="px-4 py-2.5 font-medium">
-            Type
-          </th>
-          <th scope="col" className="px-4 py-2.5 font-medium">
+          <th scope="col" className="px-4 py-2.5 font-medium max-sm:hidden">
             Default
           </th>
           <th scope="col" className="px-4 py-2.5 font-medium">
@@ -26,12 +27,16 @@ export function PropsTable() {
           <tr key={prop.name} className="border-b align-baseline last:border-0">
             <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
               {prop.name}
+              <span className="block break-words font-normal text-muted-foreground text-xs">
+                <span className="sr-only">, </span>
+                {prop.type.replace('<', '<\u200b')}
+                {prop.fallback && <span className="sm:hidden"> = {prop.fallback}</span>}
+              </span>
             </th>
-            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">{prop.type}</td>
-            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground">
+            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground max-sm:hidden">
               {prop.fallback ?? '–'}
             </td>
-            <td className="min-w-56 px-4 py-3">{prop.description}</td>
+            <td className="px-4 py-3">{withCode(prop.description)}</td>
           </tr>
         ))}
       </tbody>
@@ -59,7 +64,7 @@ export function ActionsTable() {
             <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
               {action.name}()
             </th>
-            <td className="px-4 py-3">{action.description}</td>
+            <td className="px-4 py-3">{withCode(action.description)}</td>
           </tr>
         ))}
       </tbody>

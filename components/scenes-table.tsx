@@ -1,4 +1,3 @@
-import { Fragment } from 'react'
 import fuzzMisses from '@/bench/fuzz-misses.json'
 import hardRows from '@/bench/results/stability.json'
 import { scenes } from '@/scenes'
@@ -9,6 +8,20 @@ import { shortFigure } from './lab/short-figure'
 import { ScrollTable } from './scroll-table'
 
 type Row = { measure: string; value: number; unit: string; bound?: number }
+
+/** A figure's words and unit; a share has none. */
+function named(figure: keyof HardFigures) {
+  const [measure, unit] = [hardWords[figure], hardUnits[figure]]
+  return unit.startsWith('of ') ? { measure: `${measure}, share`, unit: '' } : { measure, unit }
+}
+
+/** What must be none and is none, in one row. */
+function folded(rows: Row[]): Row[] {
+  const none = rows.filter(({ value, bound }) => value === 0 && bound === 0)
+  if (none.length < 2) return rows
+  const measure = none.map((row) => row.measure).join(', ')
+  return [...rows.filter((row) => !none.includes(row)), { ...none[0], measure }]
+}
 
 function Rows({
   label,
@@ -23,37 +36,36 @@ function Rows({
     <ScrollTable label={label}>
       <thead>
         <tr className="border-b text-muted-foreground">
-          {['Scene', 'Measure', 'Figure', bound].map((head) => (
+          {['Measure', 'Figure', bound].map((head) => (
             <th key={head} scope="col" className="px-4 py-2.5 font-medium">
               {head}
             </th>
           ))}
         </tr>
       </thead>
-      <tbody>
-        {scenes.map(({ title, rows }) => (
-          <Fragment key={title}>
-            {rows.map(({ measure, value, unit, bound }, i) => (
-              <tr
-                key={measure}
-                className={i === rows.length - 1 ? 'border-b align-baseline' : 'align-baseline'}
-              >
-                <th scope="row" className="min-w-44 px-4 py-1.5 font-normal">
-                  {i === 0 ? title : <span className="sr-only">{title}</span>}
-                </th>
-                <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground">{measure}</td>
-                <td className="whitespace-nowrap px-4 py-1.5 tabular-nums">{shortFigure(value, unit)}</td>
-                <td className="whitespace-nowrap px-4 py-1.5 text-muted-foreground tabular-nums">
-                  {bound === undefined ? '–' : shortFigure(bound)}
-                  {bound !== undefined && !(value <= bound) && (
-                    <strong className="ml-2 font-medium text-foreground">missed</strong>
-                  )}
-                </td>
-              </tr>
-            ))}
-          </Fragment>
-        ))}
-      </tbody>
+      {scenes.map(({ title, rows }) => (
+        <tbody key={title} className="border-b last:border-0">
+          <tr>
+            <th scope="rowgroup" colSpan={3} className="px-4 pt-3 pb-1 font-medium">
+              {title}
+            </th>
+          </tr>
+          {folded(rows).map(({ measure, value, unit, bound }) => (
+            <tr key={measure} className="align-baseline last:*:pb-3">
+              <th scope="row" className="px-4 py-1 font-normal text-muted-foreground">
+                {measure}
+              </th>
+              <td className="whitespace-nowrap px-4 py-1 tabular-nums">{shortFigure(value, unit)}</td>
+              <td className="whitespace-nowrap px-4 py-1 text-muted-foreground tabular-nums">
+                {bound === undefined ? '–' : shortFigure(bound)}
+                {bound !== undefined && !(value <= bound) && (
+                  <strong className="ml-2 font-medium text-foreground">missed</strong>
+                )}
+              </td>
+            </tr>
+          ))}
+        </tbody>
+      ))}
     </ScrollTable>
   )
 }
@@ -81,9 +93,8 @@ export function HardScenesTable() {
     const rows = hardRows
       .filter(({ scene }) => scene === name)
       .map(({ figure, value, bound }) => ({
-        measure: hardWords[figure as keyof HardFigures],
+        ...named(figure as keyof HardFigures),
         value: value ?? Number.POSITIVE_INFINITY,
-        unit: hardUnits[figure as keyof HardFigures],
         bound,
       }))
     return { title, rows }

@@ -10,7 +10,7 @@ export function SiteFooter() {
             </a>
           </li>
           <li>
-            <a href="/docs/gravity-stack" className="hover:text-foreground">
+            <a href="/docs" className="hover:text-foreground">
               Docs
             </a>
           </li>

@@ -109,6 +109,50 @@ test('every link and anchor of the site leads somewhere', async ({ request }) =>
   expect(dead).toEqual([])
 })
 
+// There may be no network where this runs: an address comes into this list when somebody has looked at it.
+const elsewhere = [
+  'https://developer.mozilla.org/docs/Web/API/Pointer_events',
+  'https://developer.mozilla.org/docs/Web/API/ResizeObserver',
+  'https://developer.mozilla.org/docs/Web/CSS/Guides/Containment',
+  'https://developer.mozilla.org/docs/Web/CSS/Guides/Flexible_box_layout',
+  'https://developer.mozilla.org/docs/Web/CSS/Guides/Media_queries/Printing',
+  'https://developer.mozilla.org/docs/Web/CSS/Reference/At-rules/@media/prefers-reduced-motion',
+  'https://developer.mozilla.org/docs/Web/CSS/Reference/Properties/scroll-margin',
+]
+
+test('links to other sites are those that somebody has looked at', async ({ request, baseURL }) => {
+  const found = new Set<string>()
+  for (const path of pages) {
+    const text = await (await request.get(path)).text()
+    for (const [, href] of text.matchAll(/<a\s[^>]*?href="(\w+:[^"]*)"/g)) {
+      if (!href.startsWith(baseURL!)) found.add(href)
+    }
+  }
+  const edits = process.env.REPOSITORY_URL || 'no repository is named'
+  expect([...found].filter((href) => !href.startsWith(edits)).sort()).toEqual(elsewhere)
+})
+
+for (const size of [
+  { width: 1280, height: 720 },
+  { width: 375, height: 667 },
+]) {
+  test(`at ${size.width} px the first screen says what it is, what it costs and how to add it`, async ({
+    page,
+  }) => {
+    await page.setViewportSize(size)
+    await page.goto('/')
+    const words = [
+      'A React component whose children drop in',
+      /^\d+\.\d kB solver and all$/,
+      /^\d+ µs a frame of 60 chips$/,
+      'npx shadcn@latest add',
+    ]
+    for (const word of words) {
+      await expect(page.getByText(word).filter({ visible: true }).first()).toBeInViewport({ ratio: 1 })
+    }
+  })
+}
+
 test('the theme is there before the first paint, and a press on the switch is remembered', async ({
   page,
 }) => {

@@ -8,6 +8,16 @@ export const pitch = {
   lead: 'A React component whose children drop in, tumble and settle into a pile. Its own rigid-body solver, in the one file you copy.',
 }
 
+/** What it costs, short enough for the first screen: a figure and what it is of. */
+export function price(): [figure: string, of: string][] {
+  const cost = costOf60()
+  return [
+    [`${componentSize()} kB`, 'solver and all'],
+    ...(cost ? [[`${cost.micros} µs`, 'a frame of 60 chips'] satisfies [string, string]] : []),
+    ['0', 'at rest'],
+  ]
+}
+
 export type Fact = { figure: string; title: string; text: string; more?: { title: string; href: string } }
 
 export function facts(): Fact[] {

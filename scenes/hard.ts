@@ -57,7 +57,7 @@ export const hardUnits: Record<keyof HardFigures, string> = {
 
 /** The figures in a reader's words. */
 export const hardWords: Record<keyof HardFigures, string> = {
-  lost: 'lost to a number that is none',
+  lost: 'lost to NaN',
   outside: 'outside the stage',
   gain: 'energy gained',
   loss: 'energy lost',

@@ -21,7 +21,8 @@ export function paletteOf(element: HTMLElement): Palette {
 /** 12 px on the screen, however wide the canvas is shown. */
 function font(context: CanvasRenderingContext2D) {
   const { a, b } = context.getTransform()
-  return `500 ${(12 * devicePixelRatio) / Math.hypot(a, b)}px GeistSans, sans-serif`
+  const family = getComputedStyle(context.canvas).fontFamily
+  return `500 ${(12 * devicePixelRatio) / Math.hypot(a, b)}px ${family}`
 }
 
 type Look = { fill?: string; stroke?: string; dash?: number[]; label?: string; mark?: boolean }

@@ -70,7 +70,7 @@ export function FlightFigure() {
         drawChip(context, chip, { ...euler()[at], angle: one.angle }, { stroke: palette.muted, dash: [5, 4] })
         drawChip(context, chip, one, { fill: chipColours[0], label: 'exact' })
         if (at > 20) {
-          drawText(context, 'Euler', euler()[at].x, euler()[at].y + 48, palette.muted, 'center')
+          drawText(context, 'Euler', euler()[at].x - 34, euler()[at].y + 8, palette.muted, 'right')
         }
       }}
       readout={(at) => (

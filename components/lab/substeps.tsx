@@ -88,7 +88,7 @@ export function SubstepsFigure() {
       )}
     >
       <fieldset className="flex flex-wrap items-center gap-1.5">
-        <legend className="float-left mr-3 py-1">Sub-steps a frame</legend>
+        <legend className="float-left mr-3 py-1 max-sm:w-full">Sub-steps a frame</legend>
         {choices.map((choice) => (
           <label
             key={choice}

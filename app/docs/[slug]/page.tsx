@@ -9,10 +9,19 @@ import { docs, findDoc, type Heading } from '@/lib/docs'
 export const dynamicParams = false
 export const generateStaticParams = () => docs.map(({ slug }) => ({ slug }))
 
+/** Where a page's title would only repeat the site's name. */
+const titles: Record<string, Metadata['title']> = {
+  'gravity-stack': { absolute: 'Gravity Stack, a React component' },
+}
+
 export async function generateMetadata({ params }: PageProps<'/docs/[slug]'>): Promise<Metadata> {
   const doc = findDoc((await params).slug)
   return doc
-    ? { title: doc.title, description: doc.description, alternates: { canonical: `/docs/${doc.slug}` } }
+    ? {
+        title: titles[doc.slug] ?? doc.title,
+        description: doc.description,
+        alternates: { canonical: `/docs/${doc.slug}` },
+      }
     : {}
 }
 
@@ -38,21 +47,23 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
           <PageEnd path={`/docs/${doc.slug}`} />
         </main>
         <aside data-print="hide" className="hidden xl:block">
-          <nav
-            aria-label="On this page"
-            className="sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto py-12 text-sm"
-          >
-            <p className="font-medium">On this page</p>
-            <ul className="mt-3 space-y-2">
-              {headings.map((heading) => (
-                <li key={heading.id} className={heading.depth > 2 ? 'pl-3' : undefined}>
-                  <a href={`#${heading.id}`} className="text-muted-foreground hover:text-foreground">
-                    {heading.text}
-                  </a>
-                </li>
-              ))}
-            </ul>
-          </nav>
+          {headings.length > 0 && (
+            <nav
+              aria-label="On this page"
+              className="sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto py-12 text-sm"
+            >
+              <p className="font-medium">On this page</p>
+              <ul className="mt-3 space-y-2">
+                {headings.map((heading) => (
+                  <li key={heading.id} className={heading.depth > 2 ? 'pl-3' : undefined}>
+                    <a href={`#${heading.id}`} className="text-muted-foreground hover:text-foreground">
+                      {heading.text}
+                    </a>
+                  </li>
+                ))}
+              </ul>
+            </nav>
+          )}
         </aside>
       </div>
     </DocsLayout>
