@@ -1,13 +1,14 @@
 import { GravityStack } from '@/components/ui/gravity-stack'
 
 const links = {
-  'Flexible boxes': 'https://developer.mozilla.org/docs/Web/CSS/CSS_flexible_box_layout',
-  Containment: 'https://developer.mozilla.org/docs/Web/CSS/CSS_containment',
+  'Flexible boxes': 'https://developer.mozilla.org/docs/Web/CSS/Guides/Flexible_box_layout',
+  Containment: 'https://developer.mozilla.org/docs/Web/CSS/Guides/Containment',
   'Pointer events': 'https://developer.mozilla.org/docs/Web/API/Pointer_events',
   'Resize observer': 'https://developer.mozilla.org/docs/Web/API/ResizeObserver',
-  'Reduced motion': 'https://developer.mozilla.org/docs/Web/CSS/@media/prefers-reduced-motion',
-  'Print styles': 'https://developer.mozilla.org/docs/Web/CSS/CSS_media_queries/Printing',
-  'Scroll margins': 'https://developer.mozilla.org/docs/Web/CSS/scroll-margin',
+  'Reduced motion':
+    'https://developer.mozilla.org/docs/Web/CSS/Reference/At-rules/@media/prefers-reduced-motion',
+  'Print styles': 'https://developer.mozilla.org/docs/Web/CSS/Guides/Media_queries/Printing',
+  'Scroll margins': 'https://developer.mozilla.org/docs/Web/CSS/Reference/Properties/scroll-margin',
 }
 
 /** A press follows the link, a drag tosses it; Tab goes from chip to chip. */
