@@ -302,11 +302,8 @@ function sceneCostOf(engine: string, scene: { name: string }, setting: Setting, 
 }
 
 type Contestant = { engine: string; setting: Setting }
-const sizes = quick
-  ? [12, 60, 250]
-  : options.scene
-    ? chosenScenes.map(largeSize).filter(Boolean)
-    : [12, 60, 250, 1000, 4000]
+const allSizes = quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]
+const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
 const contestants = (chips: number): Contestant[] =>
   engines.flatMap((engine) => {
     const few = quick || chips > 1000 || (chips === 1000 && engine.slow)
