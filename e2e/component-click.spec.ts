@@ -28,6 +28,20 @@ test('a click on a control leaves its chip where it is', async ({ stage, page })
   expect(Math.hypot(after.x - before.x, after.y - before.y)).toBeLessThan(1)
 })
 
+test('a press on a control gives it the focus, and one beside it takes the focus away', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  const control = (name: string) => page.getByRole('button', { name, exact: true })
+  await control('a button').click()
+  await expect(control('a button')).toBeFocused()
+  await control('inner').click()
+  await expect(control('inner')).toBeFocused()
+  await page.locator('[data-name=plain]').click()
+  await expect(control('inner')).not.toBeFocused()
+})
+
 test('a drag that starts on a link moves the chip, and neither follows nor drags the link', async ({
   stage,
   page,

@@ -51,6 +51,31 @@ test.describe('with reduced motion', () => {
     expect(await stage.probe((probe) => [probe.frames, probe.styleWrites, probe.timers])).toEqual([0, 0, 0])
   })
 
+  test('the row is there before the script has come, and hydration moves nothing', async ({
+    stage,
+    page,
+  }) => {
+    let arrive = () => {}
+    const called = new Promise<void>((resolve) => {
+      arrive = resolve
+    })
+    await page.route('**/client-*.js', async (route) => {
+      await called
+      await route.continue()
+    })
+    await page.goto('/pile', { waitUntil: 'commit' })
+    await expect(stage.chips).toHaveCount(12)
+    await expect.poll(() => readable(page)).toEqual(row)
+    const boxes = () =>
+      stage.chips.evaluateAll((all) => all.map((chip) => JSON.stringify(chip.getBoundingClientRect())))
+    const before = await boxes()
+    arrive()
+    await page.waitForLoadState('networkidle')
+    expect(await stage.probe((probe) => probe.observed.intersection)).toBe(1)
+    expect(await boxes()).toEqual(before)
+    await stage.reaches('static')
+  })
+
   test('more chips than fit make the stage taller; none is cut off', async ({ stage, page }) => {
     await stage.open('pile', { chips: 120 })
     const shown = await readable(page)
@@ -144,6 +169,13 @@ test('on paper the pile is a row, before, during and after the fall; on screen i
   stage,
   page,
 }) => {
+  await page.setViewportSize({ width: 800, height: 500 })
+  await stage.open('pile', { above: 1500 })
+  await stage.reaches('static')
+  await page.emulateMedia({ media: 'print' })
+  expect(await readable(page)).toEqual(row)
+  await page.emulateMedia({ media: 'screen' })
+  await page.setViewportSize({ width: 1280, height: 720 })
   await stage.open('pile')
   await expect(stage.chips.nth(4)).toHaveAttribute('data-state', 'falling')
   await page.emulateMedia({ media: 'print' })
