@@ -40,6 +40,7 @@ export default function Home() {
               </div>
               <a
                 href="/docs/gravity-stack"
+                data-print="hide"
                 className="group inline-flex items-center gap-2 rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
               >
                 Read the docs

@@ -497,6 +497,18 @@ test.describe('how it works', () => {
     await expect(impact).toContainText(/Spin ([\d.]+) rad\/sby formula \1/)
   })
 
+  test('on paper every figure stands at a moment that shows something', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.goto('/docs/how-it-works')
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')))
+    for (const time of await page.getByLabel('Time', { exact: true }).all()) {
+      await expect(time).not.toHaveValue('0')
+    }
+    for (const figure of await page.locator('[data-slot=figure]').all()) {
+      await expect(figure).not.toContainText('…')
+    }
+  })
+
   test('a figure plays when it is seen, unless the reader prefers reduced motion', async ({ page }) => {
     await page.goto('/docs/how-it-works')
     const time = page.getByLabel('Time', { exact: true }).first()

@@ -11,7 +11,7 @@ const onServer =
     : undefined
 
 // As high as the drawing, and left out of layout and paint until it is near.
-const box = 'aspect-[380/270] [content-visibility:auto]'
+const box = 'aspect-[380/270] [content-visibility:auto] print:[content-visibility:visible]'
 
 /**
  * The plot of a scene, or of the costs by number of chips. Drawn on the server alone: the page would bring each plot

@@ -1,6 +1,7 @@
 'use client'
 
 import { type ReactNode, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
+import { flushSync } from 'react-dom'
 import { type Palette, paletteOf } from './draw'
 
 const stillMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches
@@ -73,6 +74,17 @@ export function Figure({
     return () => nearing.disconnect()
   }, [])
 
+  // Paper can't be scrubbed: a figure nobody has played yet is printed as it stands towards its end.
+  useEffect(() => {
+    const print = () =>
+      flushSync(() => {
+        setNear(true)
+        setAt((current) => current || Math.round(0.7 * last))
+      })
+    window.addEventListener('beforeprint', print)
+    return () => window.removeEventListener('beforeprint', print)
+  }, [last])
+
   useEffect(() => {
     const seen = new IntersectionObserver(
       ([entry]) => {
@@ -117,7 +129,7 @@ export function Figure({
         className="block w-full border-b bg-stage"
       />
       <div className="space-y-4 p-4 text-sm">
-        <div className="flex items-center gap-3">
+        <div data-print="hide" className="flex items-center gap-3">
           <button
             type="button"
             onClick={() => {
