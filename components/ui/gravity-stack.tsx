@@ -28,10 +28,10 @@ const FRICTION = 0.4
 const LINEAR_DAMPING = 0.35
 const ANGULAR_DAMPING = 1.4
 /**
- * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
- * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
+ * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
+ * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-const ROLLING = 0.03
+const ROLLING = 0.06
 const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
@@ -51,7 +51,7 @@ const SWEEPS_LEAST = 2
 const SWEEPS_LIVELY = 5
 const LIVELY = 100
 /** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
-const SWEEP_BUDGET = 800
+const SWEEP_BUDGET = 4000
 /** Numbers set aside for the sweeps of a sub-step: a power of two, at least SWEEPS + 1. */
 const ROUNDS = 16
 /**
@@ -99,6 +99,12 @@ const SKIN = 8
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
 const IMPACT_SHARE = 0.05
+/**
+ * Restitution from which a second hit inside a sub-step bounces as well, in as many rounds, and from which a step is held to the
+ * energy that it began with.
+ */
+const LIVELY_BOUNCE = 0.5
+const IMPACT_ROUNDS = 6
 /** Most sweeps over one cluster of impacts. */
 const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
@@ -110,6 +116,8 @@ const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 const REST_DISTANCE = 0.5
 const REST_TIME = 0.5
+/** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
+const FOLLOW = 0.03
 
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
@@ -168,7 +176,9 @@ const SEEN_Y = 14
 const SEEN_ANGLE = 15
 /** px, where that way will stand after the coming sub-step at the present speed. */
 const HORIZON = 16
-const MOTION = 17
+/** Change of spin that rolling resistance gives in a sub-step. */
+const BRAKE = 17
+const MOTION = 18
 
 // Record of `shape`.
 const HX = 0
@@ -1450,6 +1460,9 @@ interface Impacts {
   bodyCount: number
   before: Float64Array
   when: Float64Array
+  /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
+  first: number
+  since: Float64Array
   /** Number of the phase that last reached each body. */
   mark: Int32Array
   phase: number
@@ -1467,6 +1480,8 @@ function createImpacts(): Impacts {
     bodyCount: 0,
     before: new Float64Array(0),
     when: new Float64Array(0),
+    first: 0,
+    since: new Float64Array(0),
     mark: new Int32Array(0),
     phase: 0,
     sweeps: 0,
@@ -1480,6 +1495,7 @@ function reserveImpacts(impacts: Impacts, bodies: number): void {
   impacts.bodies = grown(impacts.bodies, bodies)
   impacts.before = grown(impacts.before, bodies * 3)
   impacts.when = grown(impacts.when, bodies)
+  impacts.since = grown(impacts.since, bodies)
   impacts.mark = grown(impacts.mark, bodies)
 }
 
@@ -1490,38 +1506,42 @@ const ahead = { time: 0, speed: 0 }
  * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. The goals are the velocities at the
  * start of the sub-step with which the points would leave as they should.
  */
-function foresee(scene: Scene, c: number): boolean {
+function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   const { bodies, contacts, h } = scene
   const d = contacts.data
   const m = bodies.motion
   const k = c * CONTACT
   const a = contacts.pair[2 * c] * MOTION
   const b = contacts.pair[2 * c + 1] * MOTION
+  // What comes after an earlier hit of this sub-step.
+  const from = hitBefore(impacts, scene, c)
   ahead.time = h
   ahead.speed = 0
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     d[p + GOAL] = -Infinity
     probe(bodies, contacts, c, p)
-    const v = touch[RATE_NOW]
-    const gap = Math.max(0, touch[GAP_NOW])
+    const start = touch[RATE_NOW]
     // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
     const change =
       d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
       d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * h)) +
       d[p + NB] * m[b + PUSH_SPIN] -
       d[p + NA] * m[a + PUSH_SPIN]
-    if (v > 0 || gap + (v + 0.5 * change) * h >= 0) continue
     const rate = change / h
+    const v = start + rate * from
+    const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
+    const rest = h - from
+    if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0) continue
     const square = v * v - 2 * rate * gap
     if (!(square > scene.threshold * scene.threshold)) continue
     const hit = -Math.sqrt(square)
-    const time = Math.min(h, (2 * gap) / (-v - hit))
+    const time = from + Math.min(rest, (2 * gap) / (-v - hit))
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
     ahead.time = Math.min(ahead.time, time)
     ahead.speed = Math.max(ahead.speed, -hit)
-    d[p + GOAL] = -e * hit - (hit - v)
+    d[p + GOAL] = -e * hit - (hit - start)
   }
   return ahead.speed > 0
 }
@@ -1559,7 +1579,7 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
 const kept: Float64Array = new Float64Array(6)
 
 /** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
-function measureAt(scene: Scene, c: number, time: number): void {
+function measureAt(scene: Scene, c: number, time: number, widest: number): void {
   const { bodies, contacts, gravity, h } = scene
   const { state, motion } = bodies
   const half = (0.5 * time * time) / h
@@ -1571,7 +1591,7 @@ function measureAt(scene: Scene, c: number, time: number): void {
     if (i > 0)
       state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
   }
-  touch[WIDEST] = MARGIN
+  touch[WIDEST] = widest
   measure(bodies, contacts, scene.walls, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
@@ -1584,15 +1604,26 @@ function clearImpacts(impacts: Impacts): void {
   impacts.fastest = 0
 }
 
+/** What bodies hit in this sub-step will hit next: contact `c` is measured where they were hit, as far as they may then go. */
+function enterAgain(impacts: Impacts, scene: Scene, c: number, way: number): void {
+  measureAt(scene, c, hitBefore(impacts, scene, c), way)
+  enterImpact(impacts, scene, c)
+}
+
+/** s from the start of the sub-step at which the bodies of contact `c` were last hit in it. */
+function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, c: number): number {
+  return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
+}
+
 /** Contact `c` joins the cluster if one of its points will hit. */
 function enterImpact(impacts: Impacts, scene: Scene, c: number): void {
-  if (!foresee(scene, c)) return
+  if (!foresee(impacts, scene, c)) return
   let hits = true
   // Measured again at the time of impact until that time stands still.
   for (let n = 0; n < 6; n++) {
     const time = ahead.time
-    measureAt(scene, c, time)
-    hits = foresee(scene, c)
+    measureAt(scene, c, time, MARGIN)
+    hits = foresee(impacts, scene, c)
     if (Math.abs(ahead.time - time) < 1e-13) break
   }
   if (!hits) return
@@ -1634,6 +1665,7 @@ function resolve(impacts: Impacts, scene: Scene): void {
       const s = i * STATE + axis
       state[s] -= (state[s + VX] - impacts.before[n * 3 + axis]) * impacts.when[i]
     }
+    impacts.since[i] = impacts.first + impacts.when[i] / scene.h
   }
 }
 
@@ -1781,12 +1813,16 @@ function kick(
     // constant ones. What the sweep adds counts in full.
     motion[m + DRIFT_X] = air.reach * vx + half * pushX
     motion[m + DRIFT_Y] = air.reach * vy + gravity * air.fall + half * pushY
-    motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * pushSpin
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
-    let toSpin = spinAir.fade * spin + pushSpin
+    // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
-    toSpin -= Math.max(-grip, Math.min(grip, ROLLING_SHARE * toSpin))
+    let toSpin = spinAir.fade * spin + pushSpin
+    let brake = motion[m + BRAKE]
+    brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
+    motion[m + BRAKE] = brake
+    toSpin += brake
+    motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * (pushSpin + brake)
     state[s + VX] = motion[m + KICK_X] = toX
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
@@ -1817,6 +1853,7 @@ function prepare(
   const ahead = AHEAD * h
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
+  impacts.first = impacts.phase
   for (let n = from; n < to; n++) {
     const c = list[n] & INDEX
     const k = c * CONTACT
@@ -1880,11 +1917,33 @@ function prepare(
     }
     close(scene, c)
   }
-  if (impacts.count === 0) return end
-  resolve(impacts, scene)
-  for (let n = 0; n < impacts.bodyCount; n++) {
-    for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
+  for (let again = 1; impacts.count > 0; again++) {
+    resolve(impacts, scene)
+    for (let n = 0; n < impacts.bodyCount; n++) {
+      for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
+        if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
+      }
+    }
+    // What an impact sends off may hit another within the same sub-step; dull chips would lose that bounce anyway.
+    if (scene.bounce < LIVELY_BOUNCE || again === IMPACT_ROUNDS) break
+    const { mark, phase } = impacts
+    clearImpacts(impacts)
+    end = from
+    for (let n = from; n < to; n++) {
+      const c = list[n]
+      const k = c * CONTACT
+      const a = pair[2 * c]
+      const b = pair[2 * c + 1]
+      if ((mark[a] === phase || mark[b] === phase) && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+        const way =
+          Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
+          Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
+          shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
+          shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
+        enterAgain(impacts, scene, c, MARGIN + ahead * way)
+        if (d[k + POINTS] > 0) close(scene, c)
+      }
+      if (d[k + POINTS] > 0) live[end++] = c
     }
   }
   return end
@@ -2360,6 +2419,8 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
     } else {
+      // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
+      for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
       if (still[r + 3] >= REST_TIME) ready = true
     }
@@ -2469,6 +2530,7 @@ function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): vo
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + BRAKE] = 0
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
     n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
   const omega = 2 * Math.PI * GRAB_HERTZ
@@ -2819,7 +2881,6 @@ function createWorld(options: WorldOptions) {
       if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
       else solve(b0, b1, c0, c1)
     }
-    for (let n = 0; n < awakeCount; n++) keepInside(awake[n])
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
@@ -2841,6 +2902,7 @@ function createWorld(options: WorldOptions) {
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
     capSpeed(state, s)
+    keepInside(i)
   }
 
   /** One island through the step. */
@@ -2858,6 +2920,8 @@ function createWorld(options: WorldOptions) {
         : speed > LIVELY
           ? SWEEPS_LIVELY
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+    // Dull chips lose more than what parts them could give.
+    const most = scene.bounce < LIVELY_BOUNCE || grabbed.length > 0 ? Infinity : energy(b0, b1, scene.gravity)
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
@@ -2881,6 +2945,31 @@ function createWorld(options: WorldOptions) {
     }
     let passes = speed > JAMMED ? 1 : PARTINGS
     while (separate(scene, live, c0, end) > 0 && --passes > 0);
+    for (let n = b0; n < b1; n++) keepInside(islands.bodies[n])
+    if (most === Infinity) return
+    const gain = energy(b0, b1, scene.gravity) - most
+    if (!(gain > 0)) return
+    const share = Math.sqrt(Math.max(0, 1 - gain / energy(b0, b1, 0)))
+    for (let n = b0; n < b1; n++) {
+      const s = islands.bodies[n] * STATE
+      for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
+    }
+  }
+
+  /** Kinetic energy of the bodies of an island, and what they have from their height under `gravity`. */
+  function energy(b0: number, b1: number, gravity: number): number {
+    const { state } = bodies
+    let sum = 0
+    for (let n = b0; n < b1; n++) {
+      const s = islands.bodies[n] * STATE
+      const vx = state[s + VX]
+      const vy = state[s + VY]
+      const spin = state[s + SPIN]
+      sum +=
+        (0.5 * (vx * vx + vy * vy) - gravity * state[s + Y]) / state[s + INV_MASS] +
+        (0.5 * spin * spin) / state[s + INV_INERTIA]
+    }
+    return sum
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */

@@ -48,7 +48,9 @@ export const SEEN_Y = 14
 export const SEEN_ANGLE = 15
 /** px, where that way will stand after the coming sub-step at the present speed. */
 export const HORIZON = 16
-export const MOTION = 17
+/** Change of spin that rolling resistance gives in a sub-step. */
+export const BRAKE = 17
+export const MOTION = 18
 
 // Record of `shape`.
 export const HX = 0

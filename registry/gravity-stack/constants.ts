@@ -10,10 +10,10 @@ export const FRICTION = 0.4
 export const LINEAR_DAMPING = 0.35
 export const ANGULAR_DAMPING = 1.4
 /**
- * Rolling resistance: twice its coefficient (a car tyre has about as much), and the share of a spin that it takes in a
- * sub-step at most. Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
+ * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
+ * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-export const ROLLING = 0.03
+export const ROLLING = 0.06
 export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
@@ -33,7 +33,7 @@ export const SWEEPS_LEAST = 2
 export const SWEEPS_LIVELY = 5
 export const LIVELY = 100
 /** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
-export const SWEEP_BUDGET = 800
+export const SWEEP_BUDGET = 4000
 /** Numbers set aside for the sweeps of a sub-step: a power of two, at least SWEEPS + 1. */
 export const ROUNDS = 16
 /**
@@ -81,6 +81,12 @@ export const SKIN = 8
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2
 export const IMPACT_SHARE = 0.05
+/**
+ * Restitution from which a second hit inside a sub-step bounces as well, in as many rounds, and from which a step is held to the
+ * energy that it began with.
+ */
+export const LIVELY_BOUNCE = 0.5
+export const IMPACT_ROUNDS = 6
 /** Most sweeps over one cluster of impacts. */
 export const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
@@ -92,6 +98,8 @@ export const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 export const REST_DISTANCE = 0.5
 export const REST_TIME = 0.5
+/** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
+export const FOLLOW = 0.03
 
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5

@@ -1,5 +1,6 @@
 import {
   type Bodies,
+  BRAKE,
   COS,
   INV_INERTIA,
   INV_MASS,
@@ -88,6 +89,7 @@ export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: numb
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + BRAKE] = 0
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
     n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
   const omega = 2 * Math.PI * GRAB_HERTZ

@@ -58,6 +58,9 @@ export interface Impacts {
   bodyCount: number
   before: Float64Array
   when: Float64Array
+  /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
+  first: number
+  since: Float64Array
   /** Number of the phase that last reached each body. */
   mark: Int32Array
   phase: number
@@ -75,6 +78,8 @@ export function createImpacts(): Impacts {
     bodyCount: 0,
     before: new Float64Array(0),
     when: new Float64Array(0),
+    first: 0,
+    since: new Float64Array(0),
     mark: new Int32Array(0),
     phase: 0,
     sweeps: 0,
@@ -88,6 +93,7 @@ export function reserveImpacts(impacts: Impacts, bodies: number): void {
   impacts.bodies = grown(impacts.bodies, bodies)
   impacts.before = grown(impacts.before, bodies * 3)
   impacts.when = grown(impacts.when, bodies)
+  impacts.since = grown(impacts.since, bodies)
   impacts.mark = grown(impacts.mark, bodies)
 }
 
@@ -98,38 +104,42 @@ const ahead = { time: 0, speed: 0 }
  * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. The goals are the velocities at the
  * start of the sub-step with which the points would leave as they should.
  */
-function foresee(scene: Scene, c: number): boolean {
+function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   const { bodies, contacts, h } = scene
   const d = contacts.data
   const m = bodies.motion
   const k = c * CONTACT
   const a = contacts.pair[2 * c] * MOTION
   const b = contacts.pair[2 * c + 1] * MOTION
+  // What comes after an earlier hit of this sub-step.
+  const from = hitBefore(impacts, scene, c)
   ahead.time = h
   ahead.speed = 0
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     d[p + GOAL] = -Infinity
     probe(bodies, contacts, c, p)
-    const v = touch[RATE_NOW]
-    const gap = Math.max(0, touch[GAP_NOW])
+    const start = touch[RATE_NOW]
     // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
     const change =
       d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
       d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * h)) +
       d[p + NB] * m[b + PUSH_SPIN] -
       d[p + NA] * m[a + PUSH_SPIN]
-    if (v > 0 || gap + (v + 0.5 * change) * h >= 0) continue
     const rate = change / h
+    const v = start + rate * from
+    const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
+    const rest = h - from
+    if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0) continue
     const square = v * v - 2 * rate * gap
     if (!(square > scene.threshold * scene.threshold)) continue
     const hit = -Math.sqrt(square)
-    const time = Math.min(h, (2 * gap) / (-v - hit))
+    const time = from + Math.min(rest, (2 * gap) / (-v - hit))
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
     ahead.time = Math.min(ahead.time, time)
     ahead.speed = Math.max(ahead.speed, -hit)
-    d[p + GOAL] = -e * hit - (hit - v)
+    d[p + GOAL] = -e * hit - (hit - start)
   }
   return ahead.speed > 0
 }
@@ -167,7 +177,7 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
 const kept: Float64Array = new Float64Array(6)
 
 /** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
-function measureAt(scene: Scene, c: number, time: number): void {
+function measureAt(scene: Scene, c: number, time: number, widest: number): void {
   const { bodies, contacts, gravity, h } = scene
   const { state, motion } = bodies
   const half = (0.5 * time * time) / h
@@ -179,7 +189,7 @@ function measureAt(scene: Scene, c: number, time: number): void {
     if (i > 0)
       state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
   }
-  touch[WIDEST] = MARGIN
+  touch[WIDEST] = widest
   measure(bodies, contacts, scene.walls, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
@@ -192,15 +202,26 @@ export function clearImpacts(impacts: Impacts): void {
   impacts.fastest = 0
 }
 
+/** What bodies hit in this sub-step will hit next: contact `c` is measured where they were hit, as far as they may then go. */
+export function enterAgain(impacts: Impacts, scene: Scene, c: number, way: number): void {
+  measureAt(scene, c, hitBefore(impacts, scene, c), way)
+  enterImpact(impacts, scene, c)
+}
+
+/** s from the start of the sub-step at which the bodies of contact `c` were last hit in it. */
+function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, c: number): number {
+  return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
+}
+
 /** Contact `c` joins the cluster if one of its points will hit. */
 export function enterImpact(impacts: Impacts, scene: Scene, c: number): void {
-  if (!foresee(scene, c)) return
+  if (!foresee(impacts, scene, c)) return
   let hits = true
   // Measured again at the time of impact until that time stands still.
   for (let n = 0; n < 6; n++) {
     const time = ahead.time
-    measureAt(scene, c, time)
-    hits = foresee(scene, c)
+    measureAt(scene, c, time, MARGIN)
+    hits = foresee(impacts, scene, c)
     if (Math.abs(ahead.time - time) < 1e-13) break
   }
   if (!hits) return
@@ -242,6 +263,7 @@ export function resolve(impacts: Impacts, scene: Scene): void {
       const s = i * STATE + axis
       state[s] -= (state[s + VX] - impacts.before[n * 3 + axis]) * impacts.when[i]
     }
+    impacts.since[i] = impacts.first + impacts.when[i] / scene.h
   }
 }
 

@@ -1,6 +1,6 @@
 import { ANGLE, CORE, EXTENT, grown, INDEX, MOTION, SHAPE, SPIN, STATE, TRAVEL, VX, VY, X, Y } from './body'
 import { DISTANCE, touch, WIDEST } from './collide'
-import { LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
+import { FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
 import {
   CLEAR,
   CONTACT,
@@ -241,6 +241,8 @@ export function rest(
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
     } else {
+      // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
+      for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
       if (still[r + 3] >= REST_TIME) ready = true
     }

@@ -1,6 +1,7 @@
 import {
   type Air,
   ANGLE,
+  BRAKE,
   CORE,
   DRIFT_ANGLE,
   DRIFT_X,
@@ -32,6 +33,8 @@ import {
   BALANCE,
   CLOSING_SHARE,
   DEEP,
+  IMPACT_ROUNDS,
+  LIVELY_BOUNCE,
   MARGIN,
   MAX_PUSH,
   MAX_SPEED,
@@ -72,7 +75,7 @@ import {
   TA,
   TB,
 } from './contacts'
-import { enterImpact, type Impacts, resolve } from './impacts'
+import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './impacts'
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
@@ -106,12 +109,16 @@ export function kick(
     // constant ones. What the sweep adds counts in full.
     motion[m + DRIFT_X] = air.reach * vx + half * pushX
     motion[m + DRIFT_Y] = air.reach * vy + gravity * air.fall + half * pushY
-    motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * pushSpin
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
-    let toSpin = spinAir.fade * spin + pushSpin
+    // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
-    toSpin -= Math.max(-grip, Math.min(grip, ROLLING_SHARE * toSpin))
+    let toSpin = spinAir.fade * spin + pushSpin
+    let brake = motion[m + BRAKE]
+    brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
+    motion[m + BRAKE] = brake
+    toSpin += brake
+    motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * (pushSpin + brake)
     state[s + VX] = motion[m + KICK_X] = toX
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
@@ -142,6 +149,7 @@ export function prepare(
   const ahead = AHEAD * h
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
+  impacts.first = impacts.phase
   for (let n = from; n < to; n++) {
     const c = list[n] & INDEX
     const k = c * CONTACT
@@ -205,11 +213,33 @@ export function prepare(
     }
     close(scene, c)
   }
-  if (impacts.count === 0) return end
-  resolve(impacts, scene)
-  for (let n = 0; n < impacts.bodyCount; n++) {
-    for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-      if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
+  for (let again = 1; impacts.count > 0; again++) {
+    resolve(impacts, scene)
+    for (let n = 0; n < impacts.bodyCount; n++) {
+      for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
+        if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
+      }
+    }
+    // What an impact sends off may hit another within the same sub-step; dull chips would lose that bounce anyway.
+    if (scene.bounce < LIVELY_BOUNCE || again === IMPACT_ROUNDS) break
+    const { mark, phase } = impacts
+    clearImpacts(impacts)
+    end = from
+    for (let n = from; n < to; n++) {
+      const c = list[n]
+      const k = c * CONTACT
+      const a = pair[2 * c]
+      const b = pair[2 * c + 1]
+      if ((mark[a] === phase || mark[b] === phase) && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+        const way =
+          Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
+          Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
+          shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
+          shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
+        enterAgain(impacts, scene, c, MARGIN + ahead * way)
+        if (d[k + POINTS] > 0) close(scene, c)
+      }
+      if (d[k + POINTS] > 0) live[end++] = c
     }
   }
   return end

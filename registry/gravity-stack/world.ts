@@ -42,6 +42,7 @@ import {
   JAMMED,
   LINEAR_DAMPING,
   LIVELY,
+  LIVELY_BOUNCE,
   MARGIN,
   PARTINGS,
   ROUNDS,
@@ -315,7 +316,6 @@ export function createWorld(options: WorldOptions) {
       if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
       else solve(b0, b1, c0, c1)
     }
-    for (let n = 0; n < awakeCount; n++) keepInside(awake[n])
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
@@ -337,6 +337,7 @@ export function createWorld(options: WorldOptions) {
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
     capSpeed(state, s)
+    keepInside(i)
   }
 
   /** One island through the step. */
@@ -354,6 +355,8 @@ export function createWorld(options: WorldOptions) {
         : speed > LIVELY
           ? SWEEPS_LIVELY
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+    // Dull chips lose more than what parts them could give.
+    const most = scene.bounce < LIVELY_BOUNCE || grabbed.length > 0 ? Infinity : energy(b0, b1, scene.gravity)
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
@@ -377,6 +380,31 @@ export function createWorld(options: WorldOptions) {
     }
     let passes = speed > JAMMED ? 1 : PARTINGS
     while (separate(scene, live, c0, end) > 0 && --passes > 0);
+    for (let n = b0; n < b1; n++) keepInside(islands.bodies[n])
+    if (most === Infinity) return
+    const gain = energy(b0, b1, scene.gravity) - most
+    if (!(gain > 0)) return
+    const share = Math.sqrt(Math.max(0, 1 - gain / energy(b0, b1, 0)))
+    for (let n = b0; n < b1; n++) {
+      const s = islands.bodies[n] * STATE
+      for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
+    }
+  }
+
+  /** Kinetic energy of the bodies of an island, and what they have from their height under `gravity`. */
+  function energy(b0: number, b1: number, gravity: number): number {
+    const { state } = bodies
+    let sum = 0
+    for (let n = b0; n < b1; n++) {
+      const s = islands.bodies[n] * STATE
+      const vx = state[s + VX]
+      const vy = state[s + VY]
+      const spin = state[s + SPIN]
+      sum +=
+        (0.5 * (vx * vx + vy * vy) - gravity * state[s + Y]) / state[s + INV_MASS] +
+        (0.5 * spin * spin) / state[s + INV_INERTIA]
+    }
+    return sum
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
