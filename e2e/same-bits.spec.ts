@@ -6,6 +6,7 @@ import type { AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { runInNewContext } from 'node:vm'
 import { expect, type Page, test } from '@playwright/test'
 import { build } from 'esbuild'
 import type { Pin } from '../registry/gravity-stack/pins'
@@ -14,13 +15,22 @@ import { findEngines } from '../scripts/browser.mjs'
 const path = (name: string) => fileURLToPath(new URL(`../registry/gravity-stack/${name}`, import.meta.url))
 const pins: Record<string, Pin> = JSON.parse(readFileSync(path('pins.json'), 'utf8'))
 
-/** Plays the pinned scenes in any engine. */
+/** Plays the pinned scenes in any engine, and asks for the releases of 60 chips, each above all before it. */
 const script = build({
   stdin: {
     contents: `
+      import { reach, releasePose, releaseTime } from './drop'
       import { fingerprint, pinned } from './pins'
       import { createWorld } from './world'
-      globalThis.found = JSON.stringify(Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)])))`,
+      const scenes = Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)]))
+      const obstacles = []
+      const releases = Array.from({ length: 60 }, (_, i) => {
+        const size = [40 + i / 3, 24 + i / 7]
+        const pose = releasePose(i, ...size, 640, 2600, obstacles)
+        obstacles.push({ x: pose.x, y: pose.y, reach: reach(...size) })
+        return [releaseTime(i, i / 100), pose]
+      })
+      globalThis.found = JSON.stringify({ scenes, releases })`,
     resolveDir: path(''),
     loader: 'ts',
   },
@@ -68,23 +78,28 @@ async function inJavaScriptCore(command: string, folder: string) {
   return execFileSync(command, [file], { encoding: 'utf8' })
 }
 
+async function compare(found: string) {
+  const { scenes, releases } = JSON.parse(found)
+  expect(scenes).toEqual(pins)
+  expect(releases).toEqual(JSON.parse(runInNewContext(`${await script};found`)).releases)
+}
+
 const engines = findEngines()
 const missing = engines.filter(({ path }) => !path).map(({ name }) => name)
 const without = missing.length > 0 ? ` (${missing.join(' and ')} could not be asked: not installed)` : ''
 
-test(`five named scenes settle at the same step with the same bits as in Node in Chromium${without}`, async ({
+test(`five named scenes and 60 releases give the same bits as in Node in Chromium${without}`, async ({
   page,
 }) => {
-  expect(JSON.parse(await inChromium(page))).toEqual(pins)
+  await compare(await inChromium(page))
 })
 
 for (const { name, path } of engines) {
   if (!path) continue
-  test(`five named scenes settle at the same step with the same bits as in Node in ${name}`, async () => {
+  test(`five named scenes and 60 releases give the same bits as in Node in ${name}`, async () => {
     const folder = mkdtempSync(join(tmpdir(), 'same-bits-'))
     try {
-      const found = await (name === 'Firefox' ? inFirefox : inJavaScriptCore)(path, folder)
-      expect(JSON.parse(found)).toEqual(pins)
+      await compare(await (name === 'Firefox' ? inFirefox : inJavaScriptCore)(path, folder))
     } finally {
       rmSync(folder, { recursive: true, force: true, maxRetries: 5 })
     }

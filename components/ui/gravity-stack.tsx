@@ -3311,7 +3311,7 @@ function size(value: number): number {
 // drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So there is + − × ÷ √ only in the scatter, and a release falls in the middle of a step of the world:
+// So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
 // no rounding of frame times can move it to another one.
 
 /** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
@@ -3342,6 +3342,11 @@ function scatter(index: number, channel: number): number {
 /** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
 function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
+}
+
+/** Distance of the farthest point of a box from its centre, px. By √, which is the same in every engine. */
+function reach(width: number, height: number) {
+  return Math.sqrt(width * width + height * height) / 2
 }
 
 /** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
@@ -3445,10 +3450,11 @@ interface Stage {
 interface Chip {
   element: HTMLElement
   state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** Border box and corner radius, px. Zero width: not measured, or nothing to see. */
+  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
   width: number
   height: number
   radius: number
+  reach: number
   /** Number of its release, and its time on the stage's clock, s. */
   turn: number
   due: number
@@ -3649,6 +3655,7 @@ function createStage(root: HTMLElement): Stage {
     chip.width = chipWidth
     chip.height = chipHeight
     chip.radius = radius
+    chip.reach = reach(chipWidth, chipHeight)
     if (chip.id < 0) return
     world!.reshape(chip.id, chip)
     draw(chip)
@@ -3691,8 +3698,7 @@ function createStage(root: HTMLElement): Stage {
     for (const other of chips.values()) {
       if (other.id < 0) continue
       const { x, y } = world!.read(other.id)
-      const reach = Math.hypot(other.width, other.height) / 2
-      if (y < reach) obstacles.push({ x, y, reach })
+      if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     }
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     chip.id = world!.add({ ...chip, ...pose })
@@ -3730,10 +3736,9 @@ function createStage(root: HTMLElement): Stage {
     const angle = pose[2]!
     const dx = x - chip.x
     const dy = y - chip.y
-    const turned = angle - chip.angle
-    const farSquared = (chip.width * chip.width + chip.height * chip.height) / 4
+    const turned = (angle - chip.angle) * chip.reach
     // One corner at least has gone this far. A chip never drawn compares as not a number.
-    if (!(dx * dx + dy * dy + turned * turned * farSquared < VISIBLE * VISIBLE)) {
+    if (!(dx * dx + dy * dy + turned * turned < VISIBLE * VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle

@@ -1,7 +1,7 @@
 import { STEP } from './constants'
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So there is + − × ÷ √ only in the scatter, and a release falls in the middle of a step of the world:
+// So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
 // no rounding of frame times can move it to another one.
 
 /** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
@@ -32,6 +32,11 @@ export function scatter(index: number, channel: number): number {
 /** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
 export function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
+}
+
+/** Distance of the farthest point of a box from its centre, px. By √, which is the same in every engine. */
+export function reach(width: number, height: number) {
+  return Math.sqrt(width * width + height * height) / 2
 }
 
 /** Something in the way of a release: its centre and the distance of its farthest point from it, px. */

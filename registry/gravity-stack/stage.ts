@@ -1,6 +1,6 @@
 import { cancelFrame, frame } from 'motion'
 import { BOUNCE, FRICTION, GRAVITY } from './constants'
-import { releasePose, releaseTime, scatter } from './drop'
+import { reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './world'
 
 // The only room with a DOM. Layout is read in observers and at a press, written in the frame loop as transforms.
@@ -62,10 +62,11 @@ export interface Stage {
 interface Chip {
   element: HTMLElement
   state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** Border box and corner radius, px. Zero width: not measured, or nothing to see. */
+  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
   width: number
   height: number
   radius: number
+  reach: number
   /** Number of its release, and its time on the stage's clock, s. */
   turn: number
   due: number
@@ -266,6 +267,7 @@ export function createStage(root: HTMLElement): Stage {
     chip.width = chipWidth
     chip.height = chipHeight
     chip.radius = radius
+    chip.reach = reach(chipWidth, chipHeight)
     if (chip.id < 0) return
     world!.reshape(chip.id, chip)
     draw(chip)
@@ -308,8 +310,7 @@ export function createStage(root: HTMLElement): Stage {
     for (const other of chips.values()) {
       if (other.id < 0) continue
       const { x, y } = world!.read(other.id)
-      const reach = Math.hypot(other.width, other.height) / 2
-      if (y < reach) obstacles.push({ x, y, reach })
+      if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     }
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     chip.id = world!.add({ ...chip, ...pose })
@@ -347,10 +348,9 @@ export function createStage(root: HTMLElement): Stage {
     const angle = pose[2]!
     const dx = x - chip.x
     const dy = y - chip.y
-    const turned = angle - chip.angle
-    const farSquared = (chip.width * chip.width + chip.height * chip.height) / 4
+    const turned = (angle - chip.angle) * chip.reach
     // One corner at least has gone this far. A chip never drawn compares as not a number.
-    if (!(dx * dx + dy * dy + turned * turned * farSquared < VISIBLE * VISIBLE)) {
+    if (!(dx * dx + dy * dy + turned * turned < VISIBLE * VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle
