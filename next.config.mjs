@@ -19,9 +19,30 @@ export const cn = createEngine(tables).merge
   )
   // Node's `process`, of which a browser needs no more than an empty environment.
   await writeFile('.contentlayer/process.mjs', 'export default { env: {} }\n')
+  // What Next's links fetch in advance; ours are plain ones.
+  const nothing = [
+    'cancelPrefetchTask',
+    'isPrefetchTaskDirty',
+    'needsSpeculativePrefetch',
+    'pingPrefetchScheduler',
+    'pingPrefetchTask',
+    'reschedulePrefetchTask',
+    'schedulePrefetchTask',
+    'startRevalidationCooldown',
+  ]
+  await writeFile(
+    '.contentlayer/no-prefetch.mjs',
+    nothing.map((name) => `export function ${name}() {}\n`).join(''),
+  )
   return {
     cn: './.contentlayer/cn.mjs',
     'next/dist/compiled/process': './.contentlayer/process.mjs',
+    ...Object.fromEntries(
+      ['./scheduler', './segment-cache/scheduler', '../../segment-cache/scheduler'].map((path) => [
+        path,
+        './.contentlayer/no-prefetch.mjs',
+      ]),
+    ),
   }
 }
 
