@@ -32,10 +32,13 @@ export const SWEEPS = 12
 export const SWEEPS_LEAST = 2
 export const SWEEPS_LIVELY = 5
 export const LIVELY = 100
+/** The same where an island has masses of a larger ratio than this. */
+export const SWEEPS_UNEVEN = 300
+export const UNEVEN = 20
 /** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
 export const SWEEP_BUDGET = 4000
-/** Numbers set aside for the sweeps of a sub-step: a power of two, at least SWEEPS + 1. */
-export const ROUNDS = 16
+/** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
+export const ROUNDS = 512
 /**
  * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.

@@ -53,9 +53,11 @@ import {
   SWEEPS,
   SWEEPS_LEAST,
   SWEEPS_LIVELY,
+  SWEEPS_UNEVEN,
   TOLERANCE_LEAST,
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
+  UNEVEN,
   WALL_GIVE,
 } from './constants'
 import {
@@ -207,6 +209,9 @@ export function createWorld(options: WorldOptions) {
   let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
+  /** Inverse masses of the lightest and the heaviest body of the present island. */
+  let lightest = 0
+  let heaviest = 0
   /** Number of the present sweep. */
   let round = 0
 
@@ -349,12 +354,17 @@ export function createWorld(options: WorldOptions) {
     scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
-    const sweeps =
+    let sweeps =
       grabbed.length > 0
         ? SWEEPS
         : speed > LIVELY
           ? SWEEPS_LIVELY
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+    // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
+    if (lightest > UNEVEN * heaviest) {
+      sweeps = Math.max(sweeps, Math.min(SWEEPS_UNEVEN, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+      scene.tolerance = TOLERANCE_LEAST
+    }
     // Dull chips lose more than what parts them could give.
     const most = scene.bounce < LIVELY_BOUNCE || grabbed.length > 0 ? Infinity : energy(b0, b1, scene.gravity)
     warmStart(b0, b1, c0, c1, grabbed, substeps)
@@ -430,13 +440,18 @@ export function createWorld(options: WorldOptions) {
     state[s + Y] = y
   }
 
-  /** px/s, speed of the fastest point of the bodies of an island. */
+  /** px/s, speed of the fastest point of the bodies of an island; its lightest and its heaviest body are noted in passing. */
   function fastest(b0: number, b1: number): number {
     const { state, shape } = bodies
     let most = 0
+    lightest = 0
+    heaviest = Infinity
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
       const s = i * STATE
+      const inverse = state[s + INV_MASS]
+      if (inverse > lightest) lightest = inverse
+      if (inverse < heaviest) heaviest = inverse
       const speed =
         Math.abs(state[s + VX]) +
         Math.abs(state[s + VY]) +
