@@ -2775,9 +2775,8 @@ function createWorld(options: WorldOptions) {
   let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
-  /** Inverse masses of the lightest and the heaviest body of the present island. */
-  let lightest = 0
-  let heaviest = 0
+  /** Whether masses in the present island are very unlike. */
+  let uneven = false
   /** Number of the present sweep. */
   let round = 0
 
@@ -2927,7 +2926,7 @@ function createWorld(options: WorldOptions) {
           ? SWEEPS_LIVELY
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
-    if (lightest > UNEVEN * heaviest) {
+    if (uneven) {
       sweeps = Math.max(sweeps, Math.min(SWEEPS_UNEVEN, Math.floor(SWEEP_BUDGET / (c1 - c0))))
       scene.tolerance = TOLERANCE_LEAST
     }
@@ -3006,12 +3005,12 @@ function createWorld(options: WorldOptions) {
     state[s + Y] = y
   }
 
-  /** px/s, speed of the fastest point of the bodies of an island; its lightest and its heaviest body are noted in passing. */
+  /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
   function fastest(b0: number, b1: number): number {
     const { state, shape } = bodies
     let most = 0
-    lightest = 0
-    heaviest = Infinity
+    let lightest = 0
+    let heaviest = Infinity
     for (let n = b0; n < b1; n++) {
       const i = islands.bodies[n]
       const s = i * STATE
@@ -3024,6 +3023,7 @@ function createWorld(options: WorldOptions) {
         shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
       if (speed > most) most = speed
     }
+    uneven = lightest > UNEVEN * heaviest
     return most
   }
 
