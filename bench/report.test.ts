@@ -102,6 +102,17 @@ describe('the claim', () => {
     expect(close.beaten).toEqual([])
   })
 
+  it('tells forces apart down to a ten-thousandth of a pile’s weight', () => {
+    const results = resultsOf([
+      ['gravity-stack', null, 10, 6e-4],
+      ['rapier', 4, 6, 2e-5],
+    ])
+    results.scenes[0].measures[0].unit = 'weights'
+    expect(verdicts(results)[0].beaten.map(({ engine }) => engine)).toEqual(['rapier'])
+    results.errors[0].errors = [9e-5]
+    expect(verdicts(results)[0].beaten).toEqual([])
+  })
+
   it('counts an engine that lost its chips as neither cheap nor exact', () => {
     const [verdict] = verdicts(
       resultsOf([

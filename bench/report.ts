@@ -93,8 +93,14 @@ export function frontier(all: Point[]): Point[] {
 
 /** Costs closer than this are a tie: the machine's own noise. */
 const noise = 1.05
-/** Errors below this are rounding, or a pile at rest: who is nearer to zero there says nothing. */
-const rounding: Record<string, number> = { px: 1e-9, 'px/s': 1e-9, rad: 1e-9, relative: 1e-9, weights: 1e-3 }
+/** Errors below this are rounding: who is nearer to zero there says nothing. */
+export const rounding: Record<string, number> = {
+  px: 1e-9,
+  'px/s': 1e-9,
+  rad: 1e-9,
+  relative: 1e-9,
+  weights: 1e-4,
+}
 
 export type Verdict = {
   scene: SceneHead

@@ -16,6 +16,16 @@ test.describe('benchmarks', () => {
     }
   })
 
+  test('each row of the claim that does not hold is an exception with a name', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const section = page.locator('section', { has: page.locator('h2#claim') })
+    const lost = await section.getByRole('cell', { name: /^not ours: \S/ }).count()
+    await expect(section.getByRole('listitem')).toHaveCount(lost)
+    for (const exception of await section.getByRole('listitem').all()) {
+      await expect(exception).toContainText(/at .+: .+ × the cost, .+ × the error/)
+    }
+  })
+
   test('one engine can be picked out with the keyboard', async ({ page }) => {
     await page.goto('/benchmarks')
     const marks = (engine: string) => page.locator(`figure svg [data-engine=${engine}]`).first()

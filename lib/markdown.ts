@@ -140,16 +140,21 @@ const benchmarks = () =>
     'Run time against error for Gravity Stack and every engine beside it, scene by scene.',
     `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
     table(
-      ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact'],
-      verdicts(results as unknown as Results).map(({ scene, measure, error, cost, asCheap, asExact }) => [
-        `${scene.title}: ${scene.measures[measure].name}`,
-        `${figure(error)} ${scene.measures[measure].unit}`,
-        figure(cost),
-        asCheap
-          ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error`
-          : 'nobody is as cheap',
-        asExact ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost` : 'nobody',
-      ]),
+      ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact', 'Frontier'],
+      verdicts(results as unknown as Results).map(
+        ({ scene, measure, error, cost, asCheap, asExact, beaten }) => [
+          `${scene.title}: ${scene.measures[measure].name}`,
+          `${figure(error)} ${scene.measures[measure].unit}`,
+          figure(cost),
+          asCheap
+            ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error`
+            : 'nobody is as cheap',
+          asExact ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost` : 'nobody',
+          beaten.length === 0
+            ? 'ours'
+            : `not ours: ${[...new Set(beaten.map((point) => looks[point.engine].title))].join(', ')}`,
+        ],
+      ),
     ),
   )
 

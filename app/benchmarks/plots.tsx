@@ -1,10 +1,7 @@
-import { frontier, points } from '@/bench/report'
+import { frontier, points, rounding } from '@/bench/report'
 import { defaultCosts, plotTitle, results } from './data'
 import { engineOrder } from './engines'
 import { Plot, type PlotLine } from './plot'
-
-/** Where a line is drawn that nothing goes below: rounding, or a pile at rest. */
-const floors: Record<string, number> = { weights: 1e-4, px: 1e-9, 'px/s': 1e-9, rad: 1e-9, relative: 1e-9 }
 
 export function ScenePlot({ scene: name, measure }: { scene: string; measure: number }) {
   const scene = results.scenes.find((scene) => scene.name === name)!
@@ -20,7 +17,7 @@ export function ScenePlot({ scene: name, measure }: { scene: string; measure: nu
       lines={lines}
       xLabel="µs a frame"
       yLabel={`error, ${unit}`}
-      floor={floors[unit]}
+      floor={rounding[unit]}
       frontier={frontier(all).map(({ cost, error }) => ({ x: cost, y: error }))}
     />
   )
