@@ -9,6 +9,10 @@ import { outsideOf } from './hard-run'
 const glimpse = 1.5
 /** px of overlap that rest allows; lifting every chip by as much is no energy gained. */
 const restOverlap = 0.05
+/** px above the floor that a chip may be put to. */
+const highestPlace = 1e6
+/** px/s, nothing is faster. */
+const speedCap = 3600
 /** Largest ratio of two masses for which overlap at rest is promised. */
 const massRatio = 400
 
@@ -54,14 +58,17 @@ function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
   const highest = Math.max(
     0,
     ...chips.map(({ y }) => height - y),
-    ...acts.map((act) => ('y' in act ? height - act.y : 0)),
+    ...acts.map((act) => ('y' in act && Number.isFinite(act.y) ? Math.min(height - act.y, highestPlace) : 0)),
   )
   // A hand lets go at 1800 px/s at most.
   const fastest = Math.max(
     acts.some((act) => act.do === 'drag') ? 1800 : 0,
     ...chips.map(({ vx = 0, vy = 0 }) => Math.hypot(vx, vy)),
   )
-  const flight = (fastest + Math.sqrt(fastest * fastest + 2 * gravity * highest)) / gravity
+  const flight = Math.max(
+    (fastest + Math.sqrt(fastest * fastest + 2 * gravity * highest)) / gravity,
+    highest / speedCap,
+  )
   const acted = Math.max(0, ...acts.map((act) => (act.frame + (act.do === 'drag' ? dragFrames : 0)) * frame))
   return acted + (flight * (1 + bounce)) / (1 - bounce)
 }

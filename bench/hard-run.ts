@@ -12,6 +12,9 @@ import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
 import { type Chip, frame } from '../scenes/scene'
 
+/** px of free fall that make a chip as fast as one that tumbles. */
+const tumble = 2
+
 /** Sub-steps of the run that others are held against. */
 const converged = 64
 
@@ -94,8 +97,8 @@ export function playHard(
     through: 0,
   }
   const frames = Math.round(scene.seconds / frame)
-  const calmFrom = typeof scene.calmFrom === 'function' ? scene.calmFrom(chips) : (scene.calmFrom ?? 0)
-  const calm = Math.round(calmFrom / frame)
+  const tumbles = scene.calmFrom === 'last tumble'
+  let calm = typeof scene.calmFrom === 'number' ? Math.round(scene.calmFrom / frame) : 0
   const highest = chips.map(({ y }) => y)
   let before = read()
   const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
@@ -114,6 +117,7 @@ export function playHard(
         return { figures, hash: world.hash() }
       }
       highest[i] = Math.min(highest[i], y)
+      if (tumbles && vx * vx + vy * vy > 2 * scene.conditions.gravity * tumble) calm = k
       const fallen = 2 * scene.conditions.gravity * (y - highest[i])
       figures.speed = Math.max(figures.speed, Math.sqrt(Math.max(0, vx * vx + vy * vy - fallen)))
     }
