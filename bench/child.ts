@@ -65,7 +65,7 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
 function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: number, seed = 1) {
   const begin = performance.now()
   const over = () => performance.now() - begin > milliseconds
-  for (let k = 0; !over() && k < 40; k++) {
+  for (let k = 0; !over(); k++) {
     const run = engine.start(scene, scene.build(seed + (k % 3)), setting, false)
     for (let i = 0; i < scene.seconds * 60 && !over(); i++) run.step()
     run.free()
@@ -75,7 +75,7 @@ function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: nu
 /** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
 function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost | AtLeast {
   const scene = pourScene(job.chips, job.shape)
-  warmUp(engine, scene, job.setting, job.milliseconds / 2, 101)
+  warmUp(engine, scene, job.setting, job.milliseconds, 101)
   const costs: Cost[] = []
   const until = performance.now() + job.milliseconds
   do {
@@ -98,17 +98,18 @@ function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
   return job.settings.map((setting, i) => {
-    // With its first setting the compiler gets to know the engine.
-    warmUp(engine, scene, setting, i === 0 ? 60 : 5, job.seed)
+    // With its first setting the compiler gets to know the engine, and takes a third of a second for it.
+    warmUp(engine, scene, setting, i === 0 ? 400 : 20, job.seed)
     const costs: number[] = []
-    const until = performance.now() + job.milliseconds
+    const begin = performance.now()
+    const passed = () => performance.now() - begin
     do {
       const run = engine.start(scene, scene.build(job.seed), setting, false)
       const start = performance.now()
       for (let k = 0; k < count; k++) run.step()
       costs.push(((performance.now() - start) * 1000) / count)
       run.free()
-    } while (performance.now() < until && costs.length < 1000)
+    } while (costs.length < 3 ? passed() < 4 * job.milliseconds : passed() < job.milliseconds)
     return median(costs)
   })
 }
