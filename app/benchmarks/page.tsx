@@ -119,7 +119,7 @@ export default function Benchmarks() {
           <section key={group.title} className="mt-10">
             <h3 className="font-semibold text-lg tracking-tight">{group.title}</h3>
             <p className="mt-1 max-w-3xl text-muted-foreground">{group.text}</p>
-            <div className="mt-4 grid grid-cols-[minmax(0,1fr)] gap-4 md:grid-cols-2 xl:grid-cols-3">
+            <div className="mt-4 grid grid-cols-[minmax(0,1fr)] gap-4 has-[details[open]]:items-start md:grid-cols-2 xl:grid-cols-3">
               {results.scenes
                 .filter((scene) => group.scenes.test(scene.name))
                 .flatMap((scene) =>
