@@ -209,8 +209,8 @@ export function createWorld(options: WorldOptions) {
   let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
-  /** Whether masses in the present island are very unlike. */
-  let uneven = false
+  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
+  let uneven = 0
   /** Number of the present sweep. */
   let round = 0
 
@@ -360,10 +360,7 @@ export function createWorld(options: WorldOptions) {
           ? SWEEPS_LIVELY
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
-    if (uneven) {
-      sweeps = Math.max(sweeps, Math.min(SWEEPS_UNEVEN, Math.floor(SWEEP_BUDGET / (c1 - c0))))
-      scene.tolerance = TOLERANCE_LEAST
-    }
+    if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
     // Dull chips lose more than what parts them could give.
     const most = scene.bounce < LIVELY_BOUNCE || grabbed.length > 0 ? Infinity : energy(b0, b1, scene.gravity)
     warmStart(b0, b1, c0, c1, grabbed, substeps)
@@ -457,7 +454,7 @@ export function createWorld(options: WorldOptions) {
         shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
       if (speed > most) most = speed
     }
-    uneven = lightest > UNEVEN * heaviest
+    uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
     return most
   }
 
