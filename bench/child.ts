@@ -61,10 +61,10 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
   return runs[0].map((_, k) => median(runs.map((run) => run[k])))
 }
 
-/** Plays a scene again and again for so many milliseconds. */
+/** Plays a scene again and again for so many milliseconds of processor: the compiler's threads count. */
 function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: number, seed = 1) {
-  const begin = performance.now()
-  const over = () => performance.now() - begin > milliseconds
+  const begin = process.cpuUsage()
+  const over = () => process.cpuUsage(begin).user / 1000 > milliseconds
   for (let k = 0; !over(); k++) {
     const run = engine.start(scene, scene.build(seed + (k % 3)), setting, false)
     for (let i = 0; i < scene.seconds * 60 && !over(); i++) run.step()
@@ -75,7 +75,7 @@ function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: nu
 /** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
 function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost | AtLeast {
   const scene = pourScene(job.chips, job.shape)
-  warmUp(engine, scene, job.setting, job.milliseconds, 101)
+  warmUp(engine, scene, job.setting, 2 * job.milliseconds, 101)
   const costs: Cost[] = []
   const until = performance.now() + job.milliseconds
   do {
@@ -97,9 +97,11 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
 function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
-  return job.settings.map((setting, i) => {
-    // With its first setting the compiler gets to know the engine, and takes a third of a second for it.
-    warmUp(engine, scene, setting, i === 0 ? 400 : 20, job.seed)
+  // Getting to know an engine takes the compiler half a second's work where many chips meet.
+  warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 600 : 300, job.seed)
+  // What everyone looks at comes last: by then the compiler has seen most.
+  const costs = job.settings.toReversed().map((setting) => {
+    warmUp(engine, scene, setting, 20, job.seed)
     const costs: number[] = []
     const begin = performance.now()
     const passed = () => performance.now() - begin
@@ -112,6 +114,7 @@ function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
     } while (costs.length < 3 ? passed() < 4 * job.milliseconds : passed() < job.milliseconds)
     return median(costs)
   })
+  return costs.toReversed()
 }
 
 /** Microseconds per frame once the engine has put everything to sleep, in the 20th second after a pour. */
