@@ -42,7 +42,7 @@ export type Results = {
   minutes: number
   resumed: boolean
   others: number
-  /** times that a cost was measured, if once was not enough */
+  /** times that costs were measured at most: what took long, or had no time left, once */
   rounds: number
   /** the state of this repository */
   commit: string

@@ -64,8 +64,8 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 /** How many chips a large pile has; these are filmed in two settings, and cost what pours of as many cost. */
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
-/** ms into a run after which no further round of costs is begun: the whole stays below twenty minutes. */
-const lastRound = 15 * 60_000
+/** ms into a run after which costs that were measured once are not measured again: the whole stays below twenty minutes. */
+const enough = 17.5 * 60_000
 /** ms after which a job is given up: of several settings, which then get one each, or of one. */
 const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150_000 : 40_000)
 /** µs of a run that is not timed again: noise is not what sets it apart. */
@@ -147,7 +147,7 @@ process.on('SIGINT', () => {
 })
 
 /** Runs tasks in order, at most `workers` at once, and says how far it is. */
-async function runAll(title: string, tasks: Task[], workers: number) {
+async function runAll(title: string, tasks: Task[], workers: number, until = deadline) {
   const queue = tasks.filter(({ key, job }) => {
     if (done.has(key)) {
       outcomes.set(key, done.get(key))
@@ -161,7 +161,7 @@ async function runAll(title: string, tasks: Task[], workers: number) {
   const before = spent.seconds
   let finished = 0
   const worker = async () => {
-    for (let next = queue.shift(); next && performance.now() < deadline; next = queue.shift()) {
+    for (let next = queue.shift(); next && performance.now() < until; next = queue.shift()) {
       let outcome: unknown = null
       try {
         outcome = await runJob(child, next.job, patience(next.job))
@@ -187,7 +187,7 @@ async function runAll(title: string, tasks: Task[], workers: number) {
   const elapsed = (performance.now() - start) / 1000
   const seconds = `${elapsed.toFixed(0)} s, ${(spent.seconds - before).toFixed(0)} s of processor`
   console.error(`${title}: ${finished} of ${total} in ${seconds}`)
-  if (finished < total) {
+  if (finished < total && performance.now() >= deadline) {
     console.error('call again to go on')
     process.exit(75)
   }
@@ -339,10 +339,11 @@ const singles = engines.flatMap((engine) => [
 ])
 
 let rounds = 0
-for (; rounds < mostRounds && (rounds === 0 || performance.now() < lastRound); rounds++) {
+for (; rounds < mostRounds && (rounds === 0 || performance.now() < enough); rounds++) {
   const title = `round ${rounds + 1} of ${mostRounds}`
+  const until = rounds === 0 ? deadline : Math.min(deadline, enough)
   sceneJobs[rounds] = sceneCostJobs(rounds)
-  await runAll(`cost of scenes, ${title}`, asTasks(sceneJobs[rounds], rounds), 1)
+  await runAll(`cost of scenes, ${title}`, asTasks(sceneJobs[rounds], rounds), 1, until)
   for (const chips of sizes) {
     const able = contestants(chips).filter((contestant) => {
       if (rounds === 0) return tooMany(contestant, chips) === undefined
@@ -350,7 +351,7 @@ for (; rounds < mostRounds && (rounds === 0 || performance.now() < lastRound); r
       return first && 'mean' in first && first.mean * 240 < long
     })
     const jobs = able.map((contestant) => pourJob(contestant, chips))
-    await runAll(`cost of ${chips} chips, ${title}`, asTasks(jobs, rounds), 1)
+    await runAll(`cost of ${chips} chips, ${title}`, asTasks(jobs, rounds), 1, until)
   }
   if (rounds === 0 && !quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
 }
