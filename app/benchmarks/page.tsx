@@ -289,11 +289,12 @@ const circumstances = [
 const named = ({ engine, setting }: { engine: string; setting: Record<string, number> }) =>
   `${looks[engine].title} at ${settingTitle(setting)}`
 
-/** Who lies below and to the left of us, and how far. */
+/** Who lies below and to the left of us, and how far: each engine with the cheapest setting that does. */
 function exception({ scene, measure, cost, error, beaten }: Verdict) {
   const title = scene.measures.length > 1 ? `${scene.title}, ${scene.measures[measure].name}` : scene.title
   const shares = beaten
     .toSorted((a, b) => a.cost - b.cost)
+    .filter((point, i, all) => all.findIndex(({ engine }) => engine === point.engine) === i)
     .map((point) => {
       const share = `${figure(point.cost / cost)} × the cost`
       return `${named(point)}: ${share}, ${figure(point.error / error)} × the error`
