@@ -98,7 +98,7 @@ function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
   // Getting to know an engine takes the compiler half a second's work where many chips meet.
-  warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 600 : 300, job.seed)
+  warmUp(engine, scene, job.settings[0], (scene.build(1).length > 4 ? 40 : 20) * job.milliseconds, job.seed)
   // What everyone looks at comes last: by then the compiler has seen most.
   const costs = job.settings.toReversed().map((setting) => {
     warmUp(engine, scene, setting, 20, job.seed)

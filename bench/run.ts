@@ -292,7 +292,7 @@ const sceneCostJobs = (round: number): SceneCostJob[] =>
             scene: scene.name,
             settings,
             seed: 1 + (round % scene.seeds),
-            milliseconds: 15,
+            milliseconds: quick ? 5 : 15,
           },
         ]
       }),
