@@ -97,8 +97,7 @@ export function playHard(
     through: 0,
   }
   const frames = Math.round(scene.seconds / frame)
-  const tumbles = scene.calmFrom === 'last tumble'
-  let calm = typeof scene.calmFrom === 'number' ? Math.round(scene.calmFrom / frame) : 0
+  let calm = Math.round((scene.calmFrom ?? 0) / frame)
   const highest = chips.map(({ y }) => y)
   let before = read()
   const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
@@ -117,7 +116,7 @@ export function playHard(
         return { figures, hash: world.hash() }
       }
       highest[i] = Math.min(highest[i], y)
-      if (tumbles && vx * vx + vy * vy > 2 * scene.conditions.gravity * tumble) calm = k
+      if (vx * vx + vy * vy > 2 * scene.conditions.gravity * tumble) calm = k
       const fallen = 2 * scene.conditions.gravity * (y - highest[i])
       figures.speed = Math.max(figures.speed, Math.sqrt(Math.max(0, vx * vx + vy * vy - fallen)))
     }

@@ -80,8 +80,8 @@ export type HardScene = {
   seeds: number
   build(seed: number): Chip[]
   act?(frame: number, actor: Actor, seed: number): void
-  /** s, the last disturbance: an act, or where all takes long the last time that a chip tumbled down */
-  calmFrom?: number | 'last tumble'
+  /** s, the last act; sleep counts from there, or from the last time that a chip tumbled down */
+  calmFrom?: number
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
   bounds: Partial<HardFigures>
@@ -239,11 +239,10 @@ export const hardScenes: HardScene[] = [
     name: 'light-gravity',
     title: 'Forty chips drift down at 100 px/s²',
     ...stage,
-    seconds: 16,
+    seconds: 30,
     conditions: { ...aired, gravity: 100 },
     seeds: 20,
     build: (seed) => pour('mixed', 40, seed),
-    calmFrom: 'last tumble',
     bounds: { ...settles, gain: 0.001 },
   },
   {

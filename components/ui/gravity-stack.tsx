@@ -31,7 +31,7 @@ const ANGULAR_DAMPING = 1.4
  * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-const ROLLING = 0.06
+const ROLLING = 0.07
 const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
@@ -1347,8 +1347,11 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]
-  const ex = hx * c + hy * n + r
-  const ey = hx * n + hy * c + r
+  // A chip that spins reaches further before the step is over.
+  const core = shape[i * SHAPE + CORE]
+  const swing = STEP * core * Math.abs(state[s + SPIN])
+  const ex = Math.min(core, hx * c + hy * n + swing) + r
+  const ey = Math.min(core, hx * n + hy * c + swing) + r
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
   const left = state[s + X] - ex + Math.min(goX, 0)

@@ -1,5 +1,6 @@
 import {
   type Bodies,
+  CORE,
   COS,
   grown,
   HX,
@@ -8,6 +9,7 @@ import {
   RADIUS,
   SHAPE,
   SIN,
+  SPIN,
   STATE,
   turn,
   VX,
@@ -85,8 +87,11 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]
-  const ex = hx * c + hy * n + r
-  const ey = hx * n + hy * c + r
+  // A chip that spins reaches further before the step is over.
+  const core = shape[i * SHAPE + CORE]
+  const swing = STEP * core * Math.abs(state[s + SPIN])
+  const ex = Math.min(core, hx * c + hy * n + swing) + r
+  const ey = Math.min(core, hx * n + hy * c + swing) + r
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
   const left = state[s + X] - ex + Math.min(goX, 0)
