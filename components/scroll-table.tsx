@@ -5,12 +5,7 @@ export function ScrollTable({ label, children }: { label: string; children: Reac
   return (
     // biome-ignore lint/a11y/useSemanticElements: a group without being a landmark or a fieldset
     // biome-ignore lint/a11y/noNoninteractiveTabindex: what scrolls must be reachable
-    <div
-      role="group"
-      aria-label={label}
-      tabIndex={0}
-      className="relative overflow-x-auto rounded-xl border bg-panel"
-    >
+    <div role="group" aria-label={label} tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
       <table className="w-full text-left text-sm">{children}</table>
     </div>
   )

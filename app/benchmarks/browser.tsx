@@ -161,7 +161,7 @@ export function InBrowser({ download }: { download: ReactNode }) {
               <span key={stage} className="whitespace-nowrap">
                 {value(stages[stage])}
                 {stage === own && met && !met(stages[stage]) && (
-                  <strong className="text-(--gravity-stack)">
+                  <strong className="relative text-(--gravity-stack)">
                     <span aria-hidden="true"> ★</span>
                     <span className="sr-only"> goal missed</span>
                   </strong>

@@ -5,12 +5,7 @@ export function Table({ label, head, rows }: { label: string; head: ReactNode[];
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
     // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
-    <div
-      role="region"
-      aria-label={label}
-      tabIndex={0}
-      className="relative overflow-x-auto rounded-xl border bg-panel"
-    >
+    <div role="region" aria-label={label} tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
       <table className="w-full text-left text-sm">
         <thead>
           <tr className="border-b text-muted-foreground">
