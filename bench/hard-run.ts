@@ -12,9 +12,6 @@ import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
 import { type Chip, frame } from '../scenes/scene'
 
-/** px of free fall that make a chip as fast as one that tumbles. */
-const tumble = 2
-
 /** Sub-steps of the run that others are held against. */
 const converged = 64
 
@@ -97,7 +94,8 @@ export function playHard(
     through: 0,
   }
   const frames = Math.round(scene.seconds / frame)
-  let calm = Math.round((scene.calmFrom ?? 0) / frame)
+  const { calmFrom = 0 } = scene
+  const calm = Math.round((typeof calmFrom === 'number' ? calmFrom : calmFrom(chips)) / frame)
   const highest = chips.map(({ y }) => y)
   let before = read()
   const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
@@ -116,7 +114,6 @@ export function playHard(
         return { figures, hash: world.hash() }
       }
       highest[i] = Math.min(highest[i], y)
-      if (vx * vx + vy * vy > 2 * scene.conditions.gravity * tumble) calm = k
       const fallen = 2 * scene.conditions.gravity * (y - highest[i])
       figures.speed = Math.max(figures.speed, Math.sqrt(Math.max(0, vx * vx + vy * vy - fallen)))
     }

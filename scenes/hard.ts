@@ -80,8 +80,8 @@ export type HardScene = {
   seeds: number
   build(seed: number): Chip[]
   act?(frame: number, actor: Actor, seed: number): void
-  /** s, the last act; sleep counts from there, or from the last time that a chip tumbled down */
-  calmFrom?: number
+  /** s, the last disturbance: an act, or where the fall takes long the landing of the highest chip */
+  calmFrom?: number | ((chips: Chip[]) => number)
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
   bounds: Partial<HardFigures>
@@ -243,6 +243,7 @@ export const hardScenes: HardScene[] = [
     conditions: { ...aired, gravity: 100 },
     seeds: 20,
     build: (seed) => pour('mixed', 40, seed),
+    calmFrom: (chips) => Math.max(...chips.map(({ y }) => Math.sqrt((2 * (stage.height - y)) / 100))),
     bounds: { ...settles, gain: 0.001 },
   },
   {
