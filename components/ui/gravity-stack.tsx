@@ -1927,7 +1927,9 @@ function prepare(
     resolve(impacts, scene)
     for (let n = 0; n < impacts.bodyCount; n++) {
       for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-        if (d[(edge >> 1) * CONTACT + POINTS] > 0) close(scene, edge >> 1)
+        // A sleeper stays where it is: nothing would keep it inside, nor wake what lies on it.
+        if (d[(edge >> 1) * CONTACT + POINTS] > 0 && bodies.asleep[pair[edge ^ 1]] === 0)
+          close(scene, edge >> 1)
       }
     }
     // What an impact sends off may hit another within the same sub-step; dull chips would lose that bounce anyway.
