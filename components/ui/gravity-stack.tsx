@@ -291,6 +291,11 @@ function setShape(
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }
 
+/** px, half the shorter side of body `i`. */
+function narrowest(shape: Float64Array, i: number): number {
+  return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
+}
+
 /** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
 function orient(state: Float64Array, motion: Float64Array, i: number): void {
   const angle = state[i * STATE + ANGLE]
@@ -1385,8 +1390,11 @@ function updatePairs(
     moved[i] = 1
     any = true
     const k = i * 4
+    // Between two walls that no turn of it fits, a chip would be pressed to and fro for ever: the left one holds it.
+    const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
-      const near = w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : box[k + 2] > walls.width
+      const near =
+        w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : fits && box[k + 2] > walls.width
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {
@@ -3000,7 +3008,9 @@ function createWorld(options: WorldOptions) {
     const ex = hx * c + hy * n + r
     const ey = hx * n + hy * c + r
     const s = i * STATE
-    const x = Math.min(Math.max(state[s + X], ex), Math.max(ex, walls.width - ex))
+    // What fits at no turn stands at the left wall.
+    const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
+    const x = Math.min(Math.max(state[s + X], ex), right)
     const y = Math.min(state[s + Y], walls.height - ey)
     if (x === state[s + X] && y === state[s + Y]) return
     state[s + X] = x

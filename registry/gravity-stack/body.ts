@@ -160,6 +160,11 @@ export function setShape(
   bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
 }
 
+/** px, half the shorter side of body `i`. */
+export function narrowest(shape: Float64Array, i: number): number {
+  return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
+}
+
 /** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
 export function orient(state: Float64Array, motion: Float64Array, i: number): void {
   const angle = state[i * STATE + ANGLE]

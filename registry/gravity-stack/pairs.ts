@@ -6,6 +6,7 @@ import {
   HX,
   HY,
   MOTION,
+  narrowest,
   RADIUS,
   SHAPE,
   SIN,
@@ -125,8 +126,11 @@ export function updatePairs(
     moved[i] = 1
     any = true
     const k = i * 4
+    // Between two walls that no turn of it fits, a chip would be pressed to and fro for ever: the left one holds it.
+    const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
-      const near = w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : box[k + 2] > walls.width
+      const near =
+        w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : fits && box[k + 2] > walls.width
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {

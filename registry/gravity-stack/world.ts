@@ -12,6 +12,7 @@ import {
   INV_MASS,
   MAX_DAMPING,
   MOTION,
+  narrowest,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
@@ -429,7 +430,9 @@ export function createWorld(options: WorldOptions) {
     const ex = hx * c + hy * n + r
     const ey = hx * n + hy * c + r
     const s = i * STATE
-    const x = Math.min(Math.max(state[s + X], ex), Math.max(ex, walls.width - ex))
+    // What fits at no turn stands at the left wall.
+    const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
+    const x = Math.min(Math.max(state[s + X], ex), right)
     const y = Math.min(state[s + Y], walls.height - ey)
     if (x === state[s + X] && y === state[s + Y]) return
     state[s + X] = x
