@@ -34,6 +34,7 @@ import {
   CLOSING_SHARE,
   DEEP,
   IMPACT_ROUNDS,
+  LIVELY,
   LIVELY_BOUNCE,
   MARGIN,
   MAX_PUSH,
@@ -279,6 +280,8 @@ function close(scene: Scene, c: number): void {
             ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
             d[k + NB] * m[mb + PUSH_SPIN] -
             d[k + NA] * m[ma + PUSH_SPIN])
+        // No faster apart than this: the push of a chip that was crushed is over by then, and would be given back doubled.
+        if (closing < -LIVELY) closing = -LIVELY
       }
     }
     d[p + CLOSING] = closing
