@@ -5,63 +5,60 @@ import type { AddressInfo } from 'node:net'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import tailwind from '@tailwindcss/postcss'
-import { type BuildOptions, build } from 'esbuild'
 import postcss from 'postcss'
+import { type InputOptions, rolldown } from 'rolldown'
 import { root } from '../run-job'
 import type { StageName } from './results'
 
 const here = join(root, 'bench/browser')
 export const stageNames: StageName[] = ['gravity-stack', 'circle-chains', 'matter-js']
 
-const common: BuildOptions = {
-  bundle: true,
-  write: false,
-  jsx: 'automatic',
-  minify: true,
-  define: { 'process.env.NODE_ENV': '"production"' },
-  logLevel: 'warning',
+/**
+ * One script of a module of this folder, as Vite builds an app. Not with esbuild, which turns the constants of a bundle into
+ * variables: the compiler then looks every one of them up, and longer code takes longer to get warm.
+ */
+async function script(contents: string, format: 'esm' | 'cjs' | 'iife', more: InputOptions = {}) {
+  const entry = join(here, 'entry.tsx')
+  const built = await rolldown({
+    input: entry,
+    logLevel: 'silent',
+    transform: { define: { 'process.env.NODE_ENV': '"production"' } },
+    plugins: [
+      {
+        name: 'entry',
+        resolveId: (id) => (id === entry ? id : null),
+        load: (id) => (id === entry ? contents : null),
+      },
+    ],
+    ...more,
+  })
+  const { output } = await built.generate({ format, minify: true, codeSplitting: false, name: 'observer' })
+  return output[0].code
 }
 
 async function bundle(stage: StageName) {
-  const stdin = (contents: string) => ({
-    contents: `import Stage from './${stage}'\n${contents}`,
-    resolveDir: here,
-    loader: 'tsx' as const,
-  })
+  const stdin = `import Stage from './${stage}'\n`
   const [client, server, alone] = await Promise.all([
-    build({
-      ...common,
-      format: 'esm',
-      stdin: stdin(`
-        import { hydrateRoot } from 'react-dom/client'
-        const props = JSON.parse(document.getElementById('props').textContent)
-        hydrateRoot(document.getElementById('root'), <Stage {...props} />)
-      `),
-    }),
-    build({
-      ...common,
-      format: 'cjs',
-      platform: 'node',
-      stdin: stdin(`
-        import { renderToString } from 'react-dom/server'
-        export const render = (props) => renderToString(<Stage {...props} />)
-      `),
-    }),
-    build({
-      ...common,
-      format: 'esm',
-      external: ['react', 'react/jsx-runtime', 'cn'],
-      stdin: stdin('export default Stage'),
-    }),
+    script(
+      `${stdin}
+      import { hydrateRoot } from 'react-dom/client'
+      const props = JSON.parse(document.getElementById('props').textContent)
+      hydrateRoot(document.getElementById('root'), <Stage {...props} />)`,
+      'esm',
+    ),
+    script(
+      `${stdin}
+      import { renderToString } from 'react-dom/server'
+      export const render = (props) => renderToString(<Stage {...props} />)`,
+      'cjs',
+      { platform: 'node' },
+    ),
+    script(`${stdin}export default Stage`, 'esm', { external: ['react', 'react/jsx-runtime', 'cn'] }),
   ])
   const module = { exports: {} as { render: (props: object) => string } }
   const require = createRequire(import.meta.url)
-  new Function('module', 'exports', 'require', server.outputFiles![0].text)(module, module.exports, require)
-  return {
-    script: client.outputFiles![0].text,
-    bytes: gzipSync(alone.outputFiles![0].contents, { level: 9 }).length,
-    render: module.exports.render,
-  }
+  new Function('module', 'exports', 'require', server)(module, module.exports, require)
+  return { script: client, bytes: gzipSync(alone, { level: 9 }).length, render: module.exports.render }
 }
 
 const css = `@import "tailwindcss" source(none);
@@ -69,18 +66,12 @@ const css = `@import "tailwindcss" source(none);
 @source "../../components/ui/gravity-stack.tsx";
 body { font-family: Arial, sans-serif; }`
 
-async function observer() {
-  const entryPoints = [join(here, 'observe.ts')]
-  const { outputFiles } = await build({ ...common, entryPoints, format: 'iife', globalName: 'observer' })
-  return outputFiles![0].text
-}
-
 /** Starts the server; `close` ends it. */
 export async function serve() {
   const bundles = Object.fromEntries(
     await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
   )
-  const observing = await observer()
+  const observing = await script(`export { observe } from './observe'`, 'iife')
   const styles = await postcss([tailwind()]).process(css, { from: join(here, 'page.css') })
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? '/', 'http://localhost')
