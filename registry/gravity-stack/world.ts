@@ -172,6 +172,7 @@ export function createWorld(options: WorldOptions) {
   const walls = { width: size(options.width), height: size(options.height) }
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const h = STEP / substeps
+  const ahead = AHEAD * h
   const scene = {
     h,
     tolerance: TOLERANCE_LEAST,
@@ -309,7 +310,7 @@ export function createWorld(options: WorldOptions) {
       before[i * 3 + 1] = state[i * STATE + Y]
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
-    tally(bodies, awake, 0, awakeCount, AHEAD * h)
+    tally(bodies, awake, 0, awakeCount, ahead)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
     findIslands(islands, scene, awake, awakeCount)
@@ -368,15 +369,15 @@ export function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
-      if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+      if (n > 0) tally(bodies, islands.bodies, b0, b1, ahead)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1)
-      for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
       kick(scene, islands.bodies, b0, b1, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
-        for (const hold of grabbed) {
-          solveHold(bodies, hold)
-          bodies.stirred[hold.body] = round + k - 1
+        for (let g = 0; g < grabbed.length; g++) {
+          solveHold(bodies, grabbed[g]!)
+          bodies.stirred[grabbed[g]!.body] = round + k - 1
         }
         stirs = sweep(scene, live, c0, end, round + k)
         stats.sweeps++
