@@ -275,9 +275,10 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   d[k + FROM_Y] = dy
   d[k + FROM_A] = angleA
   d[k + FROM_B] = angleB
-  d[k + POINTS] = touch[COUNT]
+  const count = touch[COUNT]
+  d[k + POINTS] = count
   d[k + DUE] = -Infinity
-  if (touch[COUNT] === 0) {
+  if (count === 0) {
     d[k + LOAD] = 0
     d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
@@ -286,34 +287,22 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     return
   }
 
-  // Impulses by feature.
+  // Impulses by feature. All is worked out before anything is chosen: an operation that runs for the first time only after
+  // this has been compiled throws the compiled code away.
   const f1 = touch[FEATURE]
-  const f2 = touch[COUNT] > 1 ? touch[POINT + FEATURE] : -1
+  const f2 = count > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
-  if (loaded) {
-    const l1 = d[k + LOAD]
-    const l2 = had > 1 ? d[k + SECOND + LOAD] : 0
-    if (touch[COUNT] === 1) {
-      d[k + LOAD] = l1 + l2
-      d[k + SECOND + LOAD] = 0
-    } else if (had === 1) {
-      if (old1 === f2) {
-        d[k + LOAD] = 0
-        d[k + SECOND + LOAD] = l1
-      } else if (old1 !== f1) {
-        d[k + LOAD] = l1 / 2
-        d[k + SECOND + LOAD] = l1 / 2
-      } else d[k + SECOND + LOAD] = 0
-    } else if (old1 === f2 || old2 === f1) {
-      d[k + LOAD] = l2
-      d[k + SECOND + LOAD] = l1
-    }
-  } else {
-    d[k + LOAD] = 0
-    d[k + SECOND + LOAD] = 0
-    d[k + DRAG] = 0
-  }
+  const l1 = loaded ? d[k + LOAD] : 0
+  const l2 = loaded && had > 1 ? d[k + SECOND + LOAD] : 0
+  const both = l1 + l2
+  const half = l1 / 2
+  const same = old1 === f1
+  const cross = old1 === f2
+  const swapped = cross || old2 === f1
+  d[k + LOAD] = count === 1 ? both : had > 1 ? (swapped ? l2 : l1) : cross ? 0 : same ? l1 : half
+  d[k + SECOND + LOAD] = count === 1 ? 0 : had > 1 ? (swapped ? l1 : l2) : cross ? l1 : same ? 0 : half
+  if (!loaded) d[k + DRAG] = 0
   contacts.feature[2 * c] = f1
   contacts.feature[2 * c + 1] = f2
 
@@ -337,7 +326,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K] = k11
   d[k + MASS] = 1 / k11
-  if (touch[COUNT] > 1) {
+  if (count > 1) {
     const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
     const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
     ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
@@ -358,10 +347,10 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
-    if (a === 0 && had === touch[COUNT] && f1 === old1) {
+    if (a === 0 && had === count && same) {
       const now =
         nb1 * d[k + LOAD] +
-        (touch[COUNT] > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
+        (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
         tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }

@@ -43,13 +43,13 @@ export function createIslands(): Islands {
   return {
     parent: new Int32Array(0),
     reach: new Float64Array(0),
-    near: new Int32Array(64),
+    near: new Int32Array(0),
     nearCount: 0,
     count: 0,
     bodies: new Int32Array(0),
     bodyStart: new Int32Array(0),
-    contacts: new Int32Array(64),
-    live: new Int32Array(64),
+    contacts: new Int32Array(0),
+    live: new Int32Array(0),
     contactStart: new Int32Array(0),
     number: new Int32Array(0),
   }
@@ -63,6 +63,11 @@ export function reserveIslands(islands: Islands, bodies: number): void {
   islands.bodyStart = grown(islands.bodyStart, bodies + 1)
   islands.contactStart = grown(islands.contactStart, bodies + 1)
   islands.number = grown(islands.number, bodies)
+  // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
+  const room = Math.max(islands.near.length, bodies * 6)
+  islands.near = grown(islands.near, room)
+  islands.contacts = new Int32Array(room)
+  islands.live = new Int32Array(room)
 }
 
 /** Root of the island of body `i`. */
