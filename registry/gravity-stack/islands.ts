@@ -250,6 +250,13 @@ export function rest(
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
       if (still[r + 3] >= REST_TIME) ready = true
+      // What is to lie as it does is looked at from near once more: geometry may lag.
+      else if (Math.abs(still[r + 3] - 0.5 * REST_TIME) < 0.5 * STEP) {
+        for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+          contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
+          contacts.data[(edge >> 1) * CONTACT + FROM_X] = Infinity
+        }
+      }
     }
   }
   if (!ready) return count
