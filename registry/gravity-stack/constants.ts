@@ -13,7 +13,7 @@ export const ANGULAR_DAMPING = 1.4
  * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-export const ROLLING = 0.07
+export const ROLLING = 0.1
 export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
