@@ -31,7 +31,7 @@ const ANGULAR_DAMPING = 1.4
  * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-const ROLLING = 0.07
+const ROLLING = 0.1
 const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
@@ -1145,9 +1145,10 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   d[k + FROM_Y] = dy
   d[k + FROM_A] = angleA
   d[k + FROM_B] = angleB
-  d[k + POINTS] = touch[COUNT]
+  const count = touch[COUNT]
+  d[k + POINTS] = count
   d[k + DUE] = -Infinity
-  if (touch[COUNT] === 0) {
+  if (count === 0) {
     d[k + LOAD] = 0
     d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
@@ -1156,34 +1157,22 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
     return
   }
 
-  // Impulses by feature.
+  // Impulses by feature. All is worked out before anything is chosen: an operation that runs for the first time only after
+  // this has been compiled throws the compiled code away.
   const f1 = touch[FEATURE]
-  const f2 = touch[COUNT] > 1 ? touch[POINT + FEATURE] : -1
+  const f2 = count > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
-  if (loaded) {
-    const l1 = d[k + LOAD]
-    const l2 = had > 1 ? d[k + SECOND + LOAD] : 0
-    if (touch[COUNT] === 1) {
-      d[k + LOAD] = l1 + l2
-      d[k + SECOND + LOAD] = 0
-    } else if (had === 1) {
-      if (old1 === f2) {
-        d[k + LOAD] = 0
-        d[k + SECOND + LOAD] = l1
-      } else if (old1 !== f1) {
-        d[k + LOAD] = l1 / 2
-        d[k + SECOND + LOAD] = l1 / 2
-      } else d[k + SECOND + LOAD] = 0
-    } else if (old1 === f2 || old2 === f1) {
-      d[k + LOAD] = l2
-      d[k + SECOND + LOAD] = l1
-    }
-  } else {
-    d[k + LOAD] = 0
-    d[k + SECOND + LOAD] = 0
-    d[k + DRAG] = 0
-  }
+  const l1 = loaded ? d[k + LOAD] : 0
+  const l2 = loaded && had > 1 ? d[k + SECOND + LOAD] : 0
+  const both = l1 + l2
+  const half = l1 / 2
+  const same = old1 === f1
+  const cross = old1 === f2
+  const swapped = cross || old2 === f1
+  d[k + LOAD] = count === 1 ? both : had > 1 ? (swapped ? l2 : l1) : cross ? 0 : same ? l1 : half
+  d[k + SECOND + LOAD] = count === 1 ? 0 : had > 1 ? (swapped ? l1 : l2) : cross ? l1 : same ? 0 : half
+  if (!loaded) d[k + DRAG] = 0
   contacts.feature[2 * c] = f1
   contacts.feature[2 * c + 1] = f2
 
@@ -1207,7 +1196,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const k11 = im + iia * na1 * na1 + iib * nb1 * nb1
   d[k + K] = k11
   d[k + MASS] = 1 / k11
-  if (touch[COUNT] > 1) {
+  if (count > 1) {
     const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
     const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
     ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
@@ -1228,11 +1217,9 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
-    if (a === 0 && had === touch[COUNT] && f1 === old1) {
+    if (a === 0 && had === count && same) {
       const now =
-        nb1 * d[k + LOAD] +
-        (touch[COUNT] > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
-        tb * d[k + DRAG]
+        nb1 * d[k + LOAD] + (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)
@@ -2245,13 +2232,13 @@ function createIslands(): Islands {
   return {
     parent: new Int32Array(0),
     reach: new Float64Array(0),
-    near: new Int32Array(64),
+    near: new Int32Array(0),
     nearCount: 0,
     count: 0,
     bodies: new Int32Array(0),
     bodyStart: new Int32Array(0),
-    contacts: new Int32Array(64),
-    live: new Int32Array(64),
+    contacts: new Int32Array(0),
+    live: new Int32Array(0),
     contactStart: new Int32Array(0),
     number: new Int32Array(0),
   }
@@ -2265,6 +2252,11 @@ function reserveIslands(islands: Islands, bodies: number): void {
   islands.bodyStart = grown(islands.bodyStart, bodies + 1)
   islands.contactStart = grown(islands.contactStart, bodies + 1)
   islands.number = grown(islands.number, bodies)
+  // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
+  const room = Math.max(islands.near.length, bodies * 6)
+  islands.near = grown(islands.near, room)
+  islands.contacts = new Int32Array(room)
+  islands.live = new Int32Array(room)
 }
 
 /** Root of the island of body `i`. */
@@ -2441,6 +2433,13 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
       if (still[r + 3] >= REST_TIME) ready = true
+      // What is to lie as it does is looked at from near once more: geometry may lag.
+      else if (Math.abs(still[r + 3] - 0.5 * REST_TIME) < 0.5 * STEP) {
+        for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+          contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
+          contacts.data[(edge >> 1) * CONTACT + FROM_X] = Infinity
+        }
+      }
     }
   }
   if (!ready) return count
@@ -2752,6 +2751,7 @@ function createWorld(options: WorldOptions) {
   const walls = { width: size(options.width), height: size(options.height) }
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const h = STEP / substeps
+  const ahead = AHEAD * h
   const scene = {
     h,
     tolerance: TOLERANCE_LEAST,
@@ -2889,7 +2889,7 @@ function createWorld(options: WorldOptions) {
       before[i * 3 + 1] = state[i * STATE + Y]
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
-    tally(bodies, awake, 0, awakeCount, AHEAD * h)
+    tally(bodies, awake, 0, awakeCount, ahead)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
     findIslands(islands, scene, awake, awakeCount)
@@ -2948,15 +2948,15 @@ function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
-      if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+      if (n > 0) tally(bodies, islands.bodies, b0, b1, ahead)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1)
-      for (const hold of grabbed) prepareHold(bodies, hold, h, scene.gravity)
+      for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
       kick(scene, islands.bodies, b0, b1, linear, spin, round)
       let stirs = 1
       for (let k = 0; k < sweeps && stirs > 0; k++) {
-        for (const hold of grabbed) {
-          solveHold(bodies, hold)
-          bodies.stirred[hold.body] = round + k - 1
+        for (let g = 0; g < grabbed.length; g++) {
+          solveHold(bodies, grabbed[g]!)
+          bodies.stirred[grabbed[g]!.body] = round + k - 1
         }
         stirs = sweep(scene, live, c0, end, round + k)
         stats.sweeps++
