@@ -444,9 +444,12 @@ export interface Walls {
 export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): void {
   const { state, motion, shape } = bodies
   turn(state, motion, b)
-  const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
-  const ny = wall === 1 ? -1 : 0
-  const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
+  const floor = wall === 1
+  const left = wall === 2
+  const { width, height } = walls
+  const nx = floor ? 0 : left ? 1 : -1
+  const ny = floor ? -1 : 0
+  const offset = -(floor ? height : left ? 0 : width)
   touch.fill(0, 0, NORMAL_X)
   touch[COUNT] = 0
   touch[NORMAL_X] = nx

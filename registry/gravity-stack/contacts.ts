@@ -261,11 +261,10 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const loaded = had > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0
-  const torque =
-    had > 0
-      ? d[k + NB] * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + d[k + TB] * d[k + DRAG]
-      : 0
+  const load1 = d[k + LOAD]
+  const load2 = d[k + SECOND + LOAD]
+  const loaded = had > 0 && load1 + load2 > 0
+  const torque = had > 0 ? d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG] : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
@@ -293,8 +292,8 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const f2 = count > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
-  const l1 = loaded ? d[k + LOAD] : 0
-  const l2 = loaded && had > 1 ? d[k + SECOND + LOAD] : 0
+  const l1 = loaded ? load1 : 0
+  const l2 = loaded && had > 1 ? load2 : 0
   const both = l1 + l2
   const half = l1 / 2
   const same = old1 === f1

@@ -214,6 +214,25 @@ export function prepare(
     }
     close(scene, c)
   }
+  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to, end) : end
+}
+
+/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`, of which `live[from..end)` touch; returns where these now end. */
+function bounce(
+  scene: Scene,
+  impacts: Impacts,
+  list: Int32Array,
+  live: Int32Array,
+  from: number,
+  to: number,
+  end: number,
+): number {
+  const { bodies, contacts, h } = scene
+  const d = contacts.data
+  const s = bodies.state
+  const shape = bodies.shape
+  const pair = contacts.pair
+  const ahead = AHEAD * h
   for (let again = 1; impacts.count > 0; again++) {
     resolve(impacts, scene)
     for (let n = 0; n < impacts.bodyCount; n++) {
@@ -440,11 +459,10 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
     state[s + X] += motion[m + DRIFT_X] + h * dvx
     state[s + Y] += motion[m + DRIFT_Y] + h * dvy
     state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
-    if (
-      Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin) > BALANCE ||
-      Math.abs(pushX) + Math.abs(pushY + gravity * h) > BALANCE
-    )
-      active++
+    // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
+    const speed = Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin)
+    const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
+    if (Math.max(speed, gain) > BALANCE) active++
     capSpeed(state, s)
   }
   return active
