@@ -114,10 +114,16 @@ export function stageDistance(shape: Shape, pose: Pose, stage: Stage) {
   return { floor: stage.height - pose.y - ay, left: pose.x - ax, right: stage.width - pose.x - ax }
 }
 
-/** How far the deepest chip reaches into its neighbour, the floor or a wall, px; 0 when nothing overlaps. */
-export function worstOverlap(shapes: Shape[], poses: Pose[], stage: Stage) {
+/** px that rounding may take from a bound. */
+const slack = 1e-6
+
+/**
+ * How far the deepest chip reaches into its neighbour, the floor or a wall, px; 0 when nothing overlaps. Only what is
+ * deeper than `known` is looked for: `known` is given back when there is nothing.
+ */
+export function worstOverlap(shapes: Shape[], poses: Pose[], stage: Stage, known = 0) {
   const n = shapes.length
-  let worst = 0
+  let worst = known
   const ax = new Float64Array(n)
   const ay = new Float64Array(n)
   for (let i = 0; i < n; i++) {
@@ -128,14 +134,18 @@ export function worstOverlap(shapes: Shape[], poses: Pose[], stage: Stage) {
     ay[i] = hy
     worst = Math.max(worst, pose.y + hy - stage.height, hx - pose.x, pose.x + hx - stage.width)
   }
-  const order = Array.from({ length: n }, (_, i) => i).sort((i, j) => poses[i].x - ax[i] - poses[j].x + ax[j])
+  const starts = ax.map((half, i) => poses[i].x - half)
+  const order = Array.from({ length: n }, (_, i) => i).sort((i, j) => starts[i] - starts[j])
   for (let k = 0; k < n; k++) {
     const i = order[k]
-    const reach = poses[i].x + ax[i]
+    const { x, y } = poses[i]
     for (let l = k + 1; l < n; l++) {
       const j = order[l]
-      if (poses[j].x - ax[j] > reach) break
-      if (Math.abs(poses[i].y - poses[j].y) >= ay[i] + ay[j]) continue
+      // The upright boxes part along x or y: what is no deeper in one of them has no pair that is.
+      const least = worst - slack
+      if (starts[j] > x + ax[i] - least) break
+      if (ax[i] + ax[j] - Math.abs(poses[j].x - x) <= least) continue
+      if (ay[i] + ay[j] - Math.abs(poses[j].y - y) <= least) continue
       worst = Math.max(worst, -chipDistance(shapes[i], poses[i], shapes[j], poses[j]))
     }
   }

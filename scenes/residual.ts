@@ -119,6 +119,7 @@ export function contactResidual(film: Film, k: number, sweeps = 4000) {
   const speed = (v: Float64Array, { a, b, x, y, ta, tb }: Row) =>
     (v[a] - v[b]) * x + (v[a + 1] - v[b + 1]) * y + v[a + 2] * ta - v[b + 2] * tb
   const take = ({ a, b, x, y, ta, tb }: Row, impulse: number) => {
+    if (impulse === 0) return
     const A = bodies[a / 3]
     left[a] -= (x * impulse) / A.mass
     left[a + 1] -= (y * impulse) / A.mass

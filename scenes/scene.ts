@@ -93,14 +93,14 @@ export class Film {
     return this.chips.map((_, i) => this.state(index, i))
   }
 
-  /** Worst overlap in px at one frame, by the exact distance. */
-  overlap(index: number) {
-    return worstOverlap(this.chips, this.poses(index), this.scene)
+  /** Worst overlap in px at one frame, by the exact distance; `known` if none is worse. */
+  overlap(index: number, known = 0) {
+    return worstOverlap(this.chips, this.poses(index), this.scene, known)
   }
 
   worstOverlap() {
     let worst = 0
-    for (let k = 1; k <= this.frames; k++) worst = Math.max(worst, this.overlap(k))
+    for (let k = 1; k <= this.frames; k++) worst = this.overlap(k, worst)
     return worst
   }
 
