@@ -1,5 +1,6 @@
 // Does one job of the benchmark in a process of its own: shared compiled code would blur the figures.
-// Takes the job as JSON, prints its outcome as JSON on the last line.
+// Takes the job as JSON and the seconds of processor it may take, prints its outcome as JSON on the last line.
+import { writeSync } from 'node:fs'
 import { sceneNamed } from '../scenes'
 import { type Kind, pourChips, pourStage } from '../scenes/piles'
 import { conditions, type Scene } from '../scenes/scene'
@@ -36,6 +37,8 @@ function quantile(values: Float64Array, q: number) {
 
 /** ms after which a pour of four seconds is given up. */
 const limit = 12_000
+/** ms of a run that is not played again at once: noise is a small part of it. */
+const long = 400
 
 /**
  * Microseconds of each frame, the same run played three times over and the median taken frame by frame: what else the
@@ -57,7 +60,7 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
     run.free()
     runs.push(times)
     total = performance.now() - begin
-  } while (runs.length < 3 && total < 400)
+  } while (runs.length < 3 && total < long)
   return runs[0].map((_, k) => median(runs.map((run) => run[k])))
 }
 
@@ -72,15 +75,16 @@ function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: nu
   }
 }
 
-/** Warms up until the compiler has seen whole pours, then measures pours of other seeds. */
+/** Warms up until the compiler has seen whole pours, then measures others, the same for every engine. */
 function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost | AtLeast {
   const scene = pourScene(job.chips, job.shape)
-  warmUp(engine, scene, job.setting, 2 * job.milliseconds, 101)
+  warmUp(engine, scene, job.setting, job.warmUp, 101)
   const costs: Cost[] = []
-  const until = performance.now() + job.milliseconds
-  do {
-    const times = playThrice(engine, scene, job.setting, 1 + (costs.length % 12))
+  let total = 0
+  for (let seed = 1; seed <= job.seeds && (seed === 1 || total < long); seed++) {
+    const times = playThrice(engine, scene, job.setting, seed)
     if (!times) return { atLeast: (limit * 1000) / frames }
+    total = (mean(times) * frames) / 1000
     costs.push({
       mean: mean(times),
       pour: mean(times.subarray(0, pourFrames)),
@@ -89,7 +93,7 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
       p95: quantile(times, 0.95),
       worst: quantile(times, 1),
     })
-  } while (performance.now() < until && costs.length < 12)
+  }
   return medianCost(costs)
 }
 
@@ -97,11 +101,11 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
 function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
-  // Getting to know an engine takes the compiler half a second's work where many chips meet.
-  warmUp(engine, scene, job.settings[0], (scene.build(1).length > 4 ? 40 : 20) * job.milliseconds, job.seed)
+  // Getting to know an engine takes the compiler a third of a second's work where many chips meet.
+  warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 300 : 150, job.seed)
   // What everyone looks at comes last: by then the compiler has seen most.
   const costs = job.settings.toReversed().map((setting) => {
-    warmUp(engine, scene, setting, 20, job.seed)
+    warmUp(engine, scene, setting, 10, job.seed)
     const costs: number[] = []
     const begin = performance.now()
     const passed = () => performance.now() - begin
@@ -111,7 +115,7 @@ function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
       for (let k = 0; k < count; k++) run.step()
       costs.push(((performance.now() - start) * 1000) / count)
       run.free()
-    } while (costs.length < 3 ? passed() < 4 * job.milliseconds : passed() < job.milliseconds)
+    } while (passed() < (costs.length < 3 ? 15 : 5))
     return median(costs)
   })
   return costs.toReversed()
@@ -144,11 +148,33 @@ function allocation(engine: Engine, job: Extract<Job, { kind: 'allocation' }>) {
   return Math.max(0, median([1, 2, 3].map(pour)))
 }
 
-async function work(job: Job) {
+const seconds = () => {
+  const { user, system } = process.cpuUsage()
+  return (user + system) / 1e6
+}
+
+class GivenUp extends Error {}
+
+/** The engine, which gives up once the process has had that many seconds of processor. */
+const patient = (engine: Engine, patience: number): Engine => ({
+  ...engine,
+  start(...args) {
+    const run = engine.start(...args)
+    return {
+      ...run,
+      step() {
+        if (seconds() > patience) throw new GivenUp()
+        run.step()
+      },
+    }
+  },
+})
+
+async function work(job: Job, patience: number) {
   const engine = await loadEngine(job.engine)
   if (job.kind === 'errors') {
     const scene = sceneNamed(job.scene)
-    return job.settings.map((setting) => sceneErrors(engine, scene, setting, job.seeds))
+    return job.settings.map((setting) => sceneErrors(patient(engine, patience), scene, setting, job.seeds))
   }
   if (job.kind === 'scene cost') return sceneCost(engine, job)
   if (job.kind === 'pour cost') return pourCost(engine, job)
@@ -156,7 +182,10 @@ async function work(job: Job) {
   return allocation(engine, job)
 }
 
-const outcome = await work(JSON.parse(process.argv[2]))
-const { user, system } = process.cpuUsage()
-console.log(JSON.stringify({ outcome, seconds: (user + system) / 1e6 }))
-process.exit(0)
+const outcome = await work(JSON.parse(process.argv[2]), Number(process.argv[3])).catch((error: unknown) => {
+  if (error instanceof GivenUp) return undefined
+  throw error
+})
+writeSync(1, `${JSON.stringify({ seconds: seconds(), outcome })}\n`)
+// Left to itself, a process that has loaded a large WebAssembly module goes on compiling it for seconds.
+process.kill(process.pid, 'SIGKILL')

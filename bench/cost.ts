@@ -1,12 +1,12 @@
 // Prints microseconds per frame, all chips awake, beside another engine measured in the same run.
 //   npx tsx bench/cost.ts [--engine ours] [--against box2d3-wasm-simd] [--chips 12,60,250,1000] [--substeps 4,8]
-//                         [--kind pills|badges|mixed] [--rounds 3] [--ms 400]
+//                         [--kind pills|badges|mixed] [--rounds 3] [--ms 800]
 import { parseArgs } from 'node:util'
 import type { Kind } from '../scenes/piles'
 import { settingName } from './engine'
 import { loadEngine } from './engines'
 import { median } from './film'
-import { type Cost, medianCost } from './job'
+import { type Cost, medianCost, pourSeeds } from './job'
 import { bundle, runJob } from './run-job'
 
 const { values: options } = parseArgs({
@@ -17,7 +17,8 @@ const { values: options } = parseArgs({
     substeps: { type: 'string' },
     kind: { type: 'string', default: 'pills' },
     rounds: { type: 'string', default: '3' },
-    ms: { type: 'string', default: '400' },
+    /** of warming up */
+    ms: { type: 'string', default: '800' },
   },
 })
 
@@ -46,7 +47,8 @@ for (const chips of options.chips.split(',').map(Number)) {
         ...contestant,
         chips,
         shape: options.kind as Kind,
-        milliseconds: Number(options.ms),
+        seeds: pourSeeds(chips),
+        warmUp: Number(options.ms),
       })
       if (cost && 'mean' in cost) rounds[i].push(cost)
     }

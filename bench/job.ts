@@ -4,15 +4,17 @@ import { median } from './film'
 
 export type Job =
   | { kind: 'errors'; engine: string; scene: string; settings: Setting[]; seeds: number }
+  | { kind: 'scene cost'; engine: string; scene: string; settings: Setting[]; seed: number }
   | {
-      kind: 'scene cost'
+      kind: 'pour cost'
       engine: string
-      scene: string
-      settings: Setting[]
-      seed: number
-      milliseconds: number
+      setting: Setting
+      chips: number
+      shape: Kind
+      seeds: number
+      /** ms of processor before anything is timed */
+      warmUp: number
     }
-  | { kind: 'pour cost'; engine: string; setting: Setting; chips: number; shape: Kind; milliseconds: number }
   | { kind: 'asleep'; engine: string; setting: Setting; chips: number }
   | { kind: 'allocation'; engine: string; setting: Setting; chips: number }
 
@@ -43,3 +45,6 @@ export function medianCost(costs: Cost[]): Cost {
     worst: of('worst'),
   }
 }
+
+/** How many pours of so many chips are timed: a few chips are poured quickly, and each time otherwise. */
+export const pourSeeds = (chips: number) => (chips < 60 ? 6 : chips < 250 ? 3 : 1)

@@ -40,6 +40,7 @@ function resultsOf(
       setting: setting(knob),
       cost,
       spread: 1,
+      rounds: 3,
     })),
     pourCosts: [],
     missing: [],

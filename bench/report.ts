@@ -11,18 +11,19 @@ export type ErrorRow = {
   errors: (number | null)[]
   seeds: number
 }
-/** Microseconds per frame of the scene, and how far the rounds lie apart (largest over smallest). */
-export type SceneCostRow = { engine: string; setting: Setting; scene: string; cost: number; spread: number }
+/** Rounds that a cost is the median of, and how far they lie apart: largest over smallest, null when there is one. */
+type Rounds = { rounds: number; spread: number | null }
+/** Microseconds per frame of the scene. */
+export type SceneCostRow = { engine: string; setting: Setting; scene: string; cost: number } & Rounds
 /** `cost` is null where a run was given up: µs per frame are then known to be `atLeast` so many, or the reason says why. */
 export type PourCostRow = {
   engine: string
   setting: Setting
   chips: number
   cost: Cost | null
-  spread: number | null
   atLeast?: number
   reason?: string
-}
+} & Rounds
 /** A setting that has no place on a scene's plot, and why. */
 export type MissingRow = { engine: string; setting: Setting; scene: string; reason: string }
 
@@ -42,7 +43,7 @@ export type Results = {
   minutes: number
   resumed: boolean
   others: number
-  /** times that costs were measured at most: what took long, or had no time left, once */
+  /** times that costs were measured at most: peers that took long, and what had no time left, less often */
   rounds: number
   /** the state of this repository */
   commit: string

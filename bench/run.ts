@@ -25,7 +25,7 @@ import { engineBytes } from './bytes'
 import { type Engine, type Setting, settingName } from './engine'
 import { describeEngine, engineNames } from './engines'
 import { median } from './film'
-import { type Cost, type Job, medianCost } from './job'
+import { type AtLeast, type Cost, type Job, medianCost, pourSeeds } from './job'
 import { commit, machine } from './machine'
 import {
   type ErrorRow,
@@ -65,11 +65,16 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms into a run after which costs that were measured once are not measured again: the whole stays below twenty minutes. */
-const enough = 17.5 * 60_000
-/** ms after which a job is given up: of several settings, which then get one each, or of one. */
-const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150_000 : 40_000)
-/** µs of a run that is not timed again: noise is not what sets it apart. */
+const enough = 17 * 60_000
+/** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
+const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150 : 40)
+/** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
 const long = 4e5
+const far = 2
+const timedOnce = (engine: string, cost: number, frames: number, own: number | undefined) =>
+  engine !== ours && cost * frames > long && cost > far * (own ?? 0)
+/** µs of a pour after which more chips are tried last, with the time that is left. */
+const hopeless = 35e5
 
 const child = await bundle('child')
 const engines: Engine[] = []
@@ -165,7 +170,7 @@ async function runAll(title: string, tasks: Task[], workers: number, until = dea
       let outcome: unknown = null
       try {
         outcome = await runJob(child, next.job, patience(next.job))
-        if (outcome === null) failures.set(next.key, `given up after ${patience(next.job) / 1000} s`)
+        if (outcome === null) failures.set(next.key, `given up after ${patience(next.job)} s of processor`)
       } catch (error) {
         failures.set(next.key, 'crashed')
         console.error(`\n${error instanceof Error ? error.message : error}`)
@@ -196,6 +201,84 @@ async function runAll(title: string, tasks: Task[], workers: number, until = dea
 const outcomeOf = <J extends Job>(job: J, round = 0) =>
   (outcomes.get(task(job, round).key) ?? null) as Outcome<J> | null
 
+const asTasks = (jobs: Job[], round = 0) => jobs.map((job) => task(job, round))
+
+// What others took of the machine is what all but the jobs took.
+const busySeconds = () => {
+  const times = cpus().map(({ times: { idle, ...busy } }) => ({ idle, busy: Object.values(busy) }))
+  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0)
+  const { user, system } = process.cpuUsage()
+  return {
+    busy: sum(times.flatMap(({ busy }) => busy)) / 1000,
+    idle: sum(times.map(({ idle }) => idle)) / 1000,
+    own: spent.seconds + (user + system) / 1e6,
+  }
+}
+const machineTime = { busy: 0, idle: 0, own: 0 }
+async function timing(work: () => Promise<void>) {
+  const before = busySeconds()
+  await work()
+  const after = busySeconds()
+  for (const key of ['busy', 'idle', 'own'] as const) machineTime[key] += after[key] - before[key]
+}
+
+/** frames of a pour that is timed */
+const pourFrames = 240
+
+type Contestant = { engine: string; setting: Setting }
+const allSizes = quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]
+const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
+const contestants = (chips: number): Contestant[] =>
+  engines.flatMap((engine) => {
+    const few = quick || chips > 1000 || (chips === 1000 && engine.slow)
+    const settings = few ? [engine.settings[0]] : [engine.settings[0], engine.accurate]
+    return settings.map((setting) => ({ engine: engine.name, setting }))
+  })
+const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
+  kind: 'pour cost' as const,
+  engine,
+  setting,
+  chips,
+  shape: 'pills' as const,
+  seeds: quick ? 1 : pourSeeds(chips),
+  warmUp: quick ? 200 : 400,
+})
+const pourOf = (contestant: Contestant, chips: number, round = 0) =>
+  outcomeOf(pourJob(contestant, chips), round)
+/** The cost of the largest pour with fewer chips that was tried, if any was; null when it broke down. */
+function withFewer(contestant: Contestant, chips: number): Cost | AtLeast | null | undefined {
+  const fewer = sizes[sizes.indexOf(chips) - 1]
+  if (!fewer) return undefined
+  return outcomes.has(task(pourJob(contestant, fewer)).key)
+    ? pourOf(contestant, fewer)
+    : withFewer(contestant, fewer)
+}
+/** Whether fewer chips took so long that so many are tried last, if at all, or broke it. */
+function isHopeless(contestant: Contestant, chips: number) {
+  const fewer = withFewer(contestant, chips)
+  if (fewer === undefined) return false
+  return fewer === null || 'atLeast' in fewer || fewer.mean * pourFrames > (quick ? hopeless / 35 : hopeless)
+}
+
+/** Pours of all sizes by all that are able, the slow ones once. */
+async function timePours(round: number, until = deadline) {
+  for (const chips of sizes) {
+    const own = pourOf({ engine: ours, setting: {} }, chips)
+    const able = contestants(chips).filter((contestant) => {
+      if (round === 0) return !isHopeless(contestant, chips)
+      const first = pourOf(contestant, chips)
+      if (!first || 'atLeast' in first) return false
+      return !timedOnce(contestant.engine, first.mean, pourFrames, own && 'mean' in own ? own.mean : 0)
+    })
+    const jobs = able.map((contestant) => pourJob(contestant, chips))
+    const title = `cost of ${chips} chips, round ${round + 1} of ${mostRounds}`
+    await runAll(title, asTasks(jobs, round), 1, until)
+  }
+}
+
+// Pours come first: whoever is given up there needs no film of as many.
+if (!options.errors) await timing(() => timePours(0))
+
 /** Settings to film together, and from how many seeds. Whoever is slow is filmed as it comes, and briefly else. */
 function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
   const [first, ...others] = engine.settings
@@ -208,7 +291,7 @@ function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: num
   if (!engine.slow || scene.seeds === 1) return [{ settings: engine.settings, seeds: scene.seeds }]
   return [
     { settings: [first], seeds: scene.seeds },
-    { settings: others, seeds: 2 },
+    { settings: others, seeds: 1 },
   ]
 }
 
@@ -218,6 +301,12 @@ const takesLong = (engine: Engine, scene: Scene) =>
   largeSize(scene) > 0 || (engine.slow && /^pour/.test(scene.name)) ? 0 : 1
 let errorJobs: ErrorJob[] = engines
   .flatMap((engine) => chosenScenes.map((scene) => ({ engine, scene })))
+  .filter(({ engine, scene }) => {
+    const chips = largeSize(scene)
+    const contestant = { engine: engine.name, setting: engine.settings[0] }
+    const pour = pourOf(contestant, chips)
+    return !chips || options.errors || !(isHopeless(contestant, chips) || (pour && 'atLeast' in pour))
+  })
   .sort((a, b) => takesLong(a.engine, a.scene) - takesLong(b.engine, b.scene))
   .flatMap(({ engine, scene }) =>
     filmed(engine, scene).map((films) => ({
@@ -227,7 +316,6 @@ let errorJobs: ErrorJob[] = engines
       ...films,
     })),
   )
-const asTasks = (jobs: Job[], round = 0) => jobs.map((job) => task(job, round))
 await runAll('errors', asTasks(errorJobs), 2)
 
 // Where all settings together took too long, or one broke down, each has a process of its own.
@@ -255,19 +343,6 @@ const errors: ErrorRow[] = engines.flatMap((engine) =>
   ),
 )
 
-// Costs: one process at a time, engines in turn, round after round.
-const busySeconds = () => {
-  const times = cpus().map(({ times: { idle, ...busy } }) => ({ idle, busy: Object.values(busy) }))
-  const sum = (values: number[]) => values.reduce((a, b) => a + b, 0)
-  const { user, system } = process.cpuUsage()
-  return {
-    busy: sum(times.flatMap(({ busy }) => busy)) / 1000,
-    idle: sum(times.map(({ idle }) => idle)) / 1000,
-    own: spent.seconds + (user + system) / 1e6,
-  }
-}
-const machineBefore = busySeconds()
-
 type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
 const sceneCostJobs = (round: number): SceneCostJob[] =>
   chosenScenes
@@ -281,7 +356,8 @@ const sceneCostJobs = (round: number): SceneCostJob[] =>
         if (round > 0) {
           settings = settings.filter((setting) => {
             const cost = sceneCostOf(engine.name, scene, setting, 0)
-            return cost !== null && cost * 60 * Math.min(6, scene.seconds) < long
+            const own = sceneCostOf(ours, scene, {}, 0) ?? undefined
+            return cost !== null && !timedOnce(engine.name, cost, 60 * Math.min(6, scene.seconds), own)
           })
         }
         if (settings.length === 0) return []
@@ -292,7 +368,6 @@ const sceneCostJobs = (round: number): SceneCostJob[] =>
             scene: scene.name,
             settings,
             seed: 1 + (round % scene.seeds),
-            milliseconds: quick ? 5 : 15,
           },
         ]
       }),
@@ -304,84 +379,74 @@ function sceneCostOf(engine: string, scene: { name: string }, setting: Setting, 
   return i < 0 ? null : (outcomeOf(job!, round)?.[i] ?? null)
 }
 
-type Contestant = { engine: string; setting: Setting }
-const allSizes = quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]
-const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
-const contestants = (chips: number): Contestant[] =>
-  engines.flatMap((engine) => {
-    const few = quick || chips > 1000 || (chips === 1000 && engine.slow)
-    const settings = few ? [engine.settings[0]] : [engine.settings[0], engine.accurate]
-    return settings.map((setting) => ({ engine: engine.name, setting }))
-  })
-const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
-  kind: 'pour cost' as const,
-  engine,
-  setting,
-  chips,
-  shape: 'pills' as const,
-  milliseconds: quick ? 100 : 300,
-})
-const pourOf = (contestant: Contestant, chips: number, round = 0) =>
-  outcomeOf(pourJob(contestant, chips), round)
-/** What a pour is known to cost at least when fewer chips were too many, or Infinity when they broke it. */
-function tooMany(contestant: Contestant, chips: number): number | undefined {
-  const fewer = sizes[sizes.indexOf(chips) - 1]
-  if (!fewer) return undefined
-  const before = pourOf(contestant, fewer)
-  if (!before) return tooMany(contestant, fewer) ?? Number.POSITIVE_INFINITY
-  if ('atLeast' in before) return before.atLeast
-  return quick && before.mean > 400 ? before.mean : undefined
-}
-
 const singles = engines.flatMap((engine) => [
   { kind: 'asleep' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
   { kind: 'allocation' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
 ])
 
-let rounds = 0
-for (; rounds < mostRounds && (rounds === 0 || performance.now() < enough); rounds++) {
-  const title = `round ${rounds + 1} of ${mostRounds}`
-  const until = rounds === 0 ? deadline : Math.min(deadline, enough)
-  sceneJobs[rounds] = sceneCostJobs(rounds)
-  await runAll(`cost of scenes, ${title}`, asTasks(sceneJobs[rounds], rounds), 1, until)
-  for (const chips of sizes) {
-    const able = contestants(chips).filter((contestant) => {
-      if (rounds === 0) return tooMany(contestant, chips) === undefined
-      const first = pourOf(contestant, chips)
-      return first && 'mean' in first && first.mean * 240 < long
-    })
-    const jobs = able.map((contestant) => pourJob(contestant, chips))
-    await runAll(`cost of ${chips} chips, ${title}`, asTasks(jobs, rounds), 1, until)
-  }
-  if (rounds === 0 && !quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
+async function timeScenes(round: number, until = deadline) {
+  sceneJobs[round] = sceneCostJobs(round)
+  const title = `cost of scenes, round ${round + 1} of ${mostRounds}`
+  await runAll(title, asTasks(sceneJobs[round], round), 1, until)
 }
 
-const machineAfter = busySeconds()
-const elapsedOf = (key: keyof typeof machineAfter) => machineAfter[key] - machineBefore[key]
-const others = Math.max(0, elapsedOf('busy') - elapsedOf('own')) / (elapsedOf('busy') + elapsedOf('idle'))
+/** With the time that is left: how much a pour is at least where fewer chips were slow already. */
+async function timeHopeless(until: number) {
+  for (const chips of sizes) {
+    const untried = contestants(chips).filter((contestant) => {
+      const fewer = withFewer(contestant, chips)
+      return fewer && 'mean' in fewer && !outcomes.has(task(pourJob(contestant, chips)).key)
+    })
+    const jobs = untried.map((contestant) => pourJob(contestant, chips))
+    await runAll(`cost of ${chips} chips, the slowest`, asTasks(jobs), 1, until)
+  }
+}
+
+let rounds = 1
+await timing(async () => {
+  await timeScenes(0)
+  if (!quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
+  const until = Math.min(deadline, enough)
+  for (; rounds < mostRounds && performance.now() < enough; rounds++) {
+    await timePours(rounds, until)
+    await timeScenes(rounds, until)
+  }
+  if (!quick) await timeHopeless(until)
+})
+
+const others = Math.max(0, machineTime.busy - machineTime.own) / (machineTime.busy + machineTime.idle)
+
+/** The median of so many costs, and how far they lie apart when there are several. */
+const spreadOf = (costs: number[]) => ({
+  spread: costs.length > 1 ? Math.max(...costs) / Math.min(...costs) : null,
+  rounds: costs.length,
+})
+
+/** What is known of a pour that nobody could wait for. */
+function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; reason: string } {
+  const own = pourOf(contestant, chips)
+  if (own && 'atLeast' in own) {
+    return { atLeast: own.atLeast, reason: `given up after ${(own.atLeast * pourFrames) / 1e6} s` }
+  }
+  const fewer = withFewer(contestant, chips)
+  const taken = fewer && 'mean' in fewer ? fewer.mean : fewer?.atLeast
+  if (!taken || outcomes.has(task(pourJob(contestant, chips)).key)) {
+    return { reason: failures.get(task(pourJob(contestant, chips)).key) ?? 'failed with fewer chips' }
+  }
+  return {
+    atLeast: taken,
+    reason: `not tried: fewer chips took ${((taken * pourFrames) / 1e6).toFixed(1)} s`,
+  }
+}
 
 const pourCosts: PourCostRow[] = sizes.flatMap((chips) =>
   contestants(chips).map((contestant) => {
     const runs = Array.from({ length: rounds }, (_, round) => pourOf(contestant, chips, round))
     const costs = runs.filter((run): run is Cost => run !== null && 'mean' in run)
-    const row = { ...contestant, chips }
-    if (costs.length > 0) {
-      const means = costs.map((cost) => cost.mean)
-      return { ...row, cost: medianCost(costs), spread: Math.max(...means) / Math.min(...means) }
-    }
-    const [first] = runs
-    const bound = first && 'atLeast' in first ? first.atLeast : tooMany(contestant, chips)
-    return {
-      ...row,
-      cost: null,
-      spread: null,
-      ...(bound !== undefined && Number.isFinite(bound)
-        ? {
-            atLeast: bound,
-            reason: `given up after ${(bound * 240) / 1e6} s, with these or with fewer chips`,
-          }
-        : { reason: failures.get(task(pourJob(contestant, chips)).key) ?? 'failed with fewer chips' }),
-    }
+    const row = { ...contestant, chips, ...spreadOf(costs.map((cost) => cost.mean)) }
+    return costs.length > 0
+      ? { ...row, cost: medianCost(costs) }
+      : { ...row, cost: null, ...unmeasured(contestant, chips) }
   }),
 )
 
@@ -395,12 +460,13 @@ const sceneCosts: SceneCostRow[] = chosenScenes.flatMap((scene) =>
           pour.engine === engine.name &&
           settingName(pour.setting) === settingName(setting),
       )
-      if (pour?.cost) return [{ ...row, cost: pour.cost.mean, spread: pour.spread ?? 1 }]
+      if (pour?.cost) {
+        return [{ ...row, cost: pour.cost.mean, spread: pour.spread, rounds: pour.rounds }]
+      }
       const costs = Array.from({ length: rounds }, (_, round) =>
         sceneCostOf(engine.name, scene, setting, round),
       ).filter((cost) => cost !== null)
-      if (costs.length === 0) return []
-      return [{ ...row, cost: median(costs), spread: Math.max(...costs) / Math.min(...costs) }]
+      return costs.length > 0 ? [{ ...row, cost: median(costs), ...spreadOf(costs) }] : []
     }),
   ),
 )
@@ -516,6 +582,11 @@ if (options.out || (!quick && !part)) {
   mkdirSync(folder, { recursive: true })
   writeFileSync(join(folder, 'results.json'), `${JSON.stringify(results, null, 1)}\n`)
   const quote = (text: string) => `"${text}"`
+  // Each file stands for itself: what was measured, when and where is in every line.
+  const originHead = 'version,date,commit,machine'
+  const { cpu, cores, memoryGB, system, node } = machine
+  const where = quote(`${cpu}, ${cores} cores, ${memoryGB} GB, ${system}, Node ${node}`)
+  const origin = (engine: string) => [quote(results.versions[engine]), results.date, results.commit, where]
   const errorLines = errors.flatMap((row) => {
     const scene = chosenScenes.find((candidate) => candidate.name === row.scene)!
     const cost = sceneCosts.find(
@@ -535,13 +606,15 @@ if (options.out || (!quick && !part)) {
         row.seeds,
         row.errors[i] ?? 'inf',
         cost?.cost.toFixed(3) ?? '',
-        cost?.spread.toFixed(3) ?? '',
+        cost?.spread?.toFixed(3) ?? '',
+        cost?.rounds ?? '',
+        ...origin(row.engine),
       ].join(','),
     )
   })
   writeFileSync(
     join(folder, 'errors.csv'),
-    `${['scene,measure,unit,target,engine,setting,seeds,error,us_per_frame,spread', ...errorLines].join('\n')}\n`,
+    `${[`scene,measure,unit,target,engine,setting,seeds,error,us_per_frame,spread,rounds,${originHead}`, ...errorLines].join('\n')}\n`,
   )
   const costLines = pourCosts.map((row) =>
     [
@@ -552,13 +625,15 @@ if (options.out || (!quick && !part)) {
         (key) => row.cost?.[key].toFixed(2) ?? '',
       ),
       row.spread?.toFixed(3) ?? '',
+      row.rounds,
       row.atLeast?.toFixed(0) ?? '',
       quote(row.reason ?? ''),
+      ...origin(row.engine),
     ].join(','),
   )
   writeFileSync(
     join(folder, 'costs.csv'),
-    `${['engine,setting,chips,mean_us,pour_us,settled_us,p50_us,p95_us,worst_us,spread,at_least_us,reason', ...costLines].join('\n')}\n`,
+    `${[`engine,setting,chips,mean_us,pour_us,settled_us,p50_us,p95_us,worst_us,spread,rounds,at_least_us,reason,${originHead}`, ...costLines].join('\n')}\n`,
   )
   if (!options.out) rmSync(partial, { force: true })
   console.log(
