@@ -12,12 +12,9 @@ export type Bounds = Record<string, SceneBound>
 /** What costs time: pairs measured, contact points solved, sub-steps, sweeps. */
 const counted = ['narrow', 'points', 'substeps', 'sweeps']
 
-/** Scenes small enough to run at every change. */
-const small = scenes.filter((scene) => !/-1000$/.test(scene.name))
-
 /** Every gated scene, by name and title, with what takes its measures. Chaotic ones are held to their first seed. */
 export const gated: { name: string; title: string; measure(): SceneBound }[] = [
-  ...small.map((scene) => ({
+  ...scenes.map((scene) => ({
     name: scene.name,
     title: scene.title,
     measure() {
