@@ -67,7 +67,7 @@ const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms into a run after which costs that were measured once are not measured again: the whole stays below twenty minutes. */
 const enough = 17 * 60_000
 /** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
-const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 150 : 40)
+const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 200 : 90)
 /** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
 const long = 4e5
 const far = 2

@@ -139,6 +139,8 @@ describe('the exact distance', () => {
       }
       if (worst > 0) touching++
       expect(worstOverlap(shapes, poses, wide)).toBeCloseTo(worst, 9)
+      expect(worstOverlap(shapes, poses, wide, 0.9 * worst)).toBeCloseTo(worst, 9)
+      expect(worstOverlap(shapes, poses, wide, worst + 1)).toBe(worst + 1)
     }
     expect(touching).toBeGreaterThan(200)
   })
