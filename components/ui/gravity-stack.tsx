@@ -2782,6 +2782,8 @@ function createWorld(options: WorldOptions) {
     rows: 0,
   }
   const pose: Float64Array = new Float64Array(3)
+  /** Of the present island, before and after its step. */
+  const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
@@ -2942,8 +2944,10 @@ function createWorld(options: WorldOptions) {
           : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
     // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
     if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
-    // Dull chips lose more than what parts them could give.
-    const most = scene.bounce < LIVELY_BOUNCE || grabbed.length > 0 ? Infinity : energy(b0, b1, scene.gravity)
+    // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
+    const dull = scene.bounce < LIVELY_BOUNCE
+    const free = grabbed.length > 0 || (dull && speed < LIVELY)
+    if (!free) weigh(b0, b1, 0)
     warmStart(b0, b1, c0, c1, grabbed, substeps)
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
@@ -2968,30 +2972,34 @@ function createWorld(options: WorldOptions) {
     let passes = speed > JAMMED ? 1 : PARTINGS
     while (separate(scene, live, c0, end) > 0 && --passes > 0);
     for (let n = b0; n < b1; n++) keepInside(islands.bodies[n])
-    if (most === Infinity) return
-    const gain = energy(b0, b1, scene.gravity) - most
+    if (free) return
+    weigh(b0, b1, 2)
+    const moving = energies[2]
+    const gain = Math.min(energies[3] - energies[1], dull ? moving - energies[0] : Infinity)
     if (!(gain > 0)) return
-    const share = Math.sqrt(Math.max(0, 1 - gain / energy(b0, b1, 0)))
+    const share = Math.sqrt(Math.max(0, 1 - gain / moving))
     for (let n = b0; n < b1; n++) {
       const s = islands.bodies[n] * STATE
       for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
     }
   }
 
-  /** Kinetic energy of the bodies of an island, and what they have from their height under `gravity`. */
-  function energy(b0: number, b1: number, gravity: number): number {
+  /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
+  function weigh(b0: number, b1: number, at: number): void {
     const { state } = bodies
-    let sum = 0
+    let moving = 0
+    let height = 0
     for (let n = b0; n < b1; n++) {
       const s = islands.bodies[n] * STATE
       const vx = state[s + VX]
       const vy = state[s + VY]
       const spin = state[s + SPIN]
-      sum +=
-        (0.5 * (vx * vx + vy * vy) - gravity * state[s + Y]) / state[s + INV_MASS] +
-        (0.5 * spin * spin) / state[s + INV_INERTIA]
+      const mass = 1 / state[s + INV_MASS]
+      moving += mass * (vx * vx + vy * vy) + (spin * spin) / state[s + INV_INERTIA]
+      height -= mass * state[s + Y]
     }
-    return sum
+    energies[at] = 0.5 * moving
+    energies[at + 1] = 0.5 * moving + scene.gravity * height
   }
 
   /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
