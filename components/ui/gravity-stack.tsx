@@ -119,6 +119,9 @@ const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 const REST_DISTANCE = 0.5
 const REST_TIME = 0.5
+/** s for which a group that could sleep is parted first where it is deeper than rest leaves it, and contacts visited for that in a step. */
+const SORTING = 0.1
+const STRAIGHTENING = 20_000
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
@@ -2203,6 +2206,63 @@ function separate(scene: Scene, list: Int32Array, from: number, to: number): num
   return deep
 }
 
+/** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
+function keepInside({ bodies, walls }: Scene, i: number): void {
+  const { state, motion, shape } = bodies
+  const far = shape[i * SHAPE + EXTENT]
+  const atX = state[i * STATE + X]
+  const atY = state[i * STATE + Y]
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+  turn(state, motion, i)
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
+  const hx = shape[i * SHAPE + HX]
+  const hy = shape[i * SHAPE + HY]
+  const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
+  const ex = hx * c + hy * n + r
+  const ey = hx * n + hy * c + r
+  const s = i * STATE
+  // What fits at no turn stands at the left wall.
+  const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
+  const x = Math.min(Math.max(state[s + X], ex), right)
+  const y = Math.min(state[s + Y], walls.height - ey)
+  if (x === state[s + X] && y === state[s + Y]) return
+  state[s + X] = x
+  state[s + Y] = y
+}
+
+/**
+ * Parts the first `bodyCount` bodies of `chips`, which are about to fall asleep, as nothing would part them any more: the first
+ * `count` contacts of `list` are pushed apart and measured again, until none is deeper than rest leaves them or that is enough
+ * for a step. Returns whether it moved anything.
+ */
+function straighten(
+  scene: Scene,
+  list: Int32Array,
+  count: number,
+  chips: Int32Array,
+  bodyCount: number,
+): boolean {
+  const { bodies, contacts, walls } = scene
+  touch[WIDEST] = MARGIN
+  let rounds = 0
+  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
+    for (let i = 0; i < count; i++) {
+      measure(bodies, contacts, walls, list[i])
+      // A chip that reaches from wall to wall and beyond has no place to go.
+      const across = contacts.wall[list[i]] > 1 && contacts.data[list[i] * CONTACT + CLEAR] < -1
+      if (across && rounds === 0) return false
+    }
+    let passes = 0
+    while (passes < PARTINGS && separate(scene, list, 0, count) > 0) passes++
+    if (passes === 0) break
+    for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
+    visits -= passes * count
+    rounds++
+  }
+  return rounds > 0
+}
+
 // islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
 
 /**
@@ -2463,6 +2523,27 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
       } else if (a > 0) unite(parent, least, a, b)
     }
   }
+  // What is in another when it falls asleep would stay so. The lists of this step are free by now.
+  let contactCount = 0
+  let deep = false
+  for (let n = 0; n < islands.nearCount; n++) {
+    const c = islands.near[n]
+    const a = contacts.pair[2 * c]
+    if (!drowsy(islands, contacts.pair[2 * c + 1]) || (a > 0 && !drowsy(islands, a))) continue
+    islands.live[contactCount++] = c
+    // The last measurement may be some tenths of a pixel old.
+    touch[WIDEST] = MARGIN
+    measure(bodies, contacts, scene.walls, c)
+    contacts.measured++
+    if (touch[DISTANCE] < -DEEP - SLOP) deep = true
+  }
+  if (deep) {
+    let bodyCount = 0
+    for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
+    // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
+    if (straighten(scene, islands.live, contactCount, islands.bodies, bodyCount))
+      for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
+  }
   let left = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -2473,6 +2554,12 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
     }
   }
   return left
+}
+
+/** Whether the group of body `i` could sleep, and could not for long. */
+function drowsy({ parent, reach }: Islands, i: number): boolean {
+  const rested = -reach[find(parent, i)]
+  return rested >= REST_TIME && rested < REST_TIME + SORTING
 }
 
 // grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
@@ -2924,7 +3011,7 @@ function createWorld(options: WorldOptions) {
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
     capSpeed(state, s)
-    keepInside(i)
+    keepInside(scene, i)
   }
 
   /** One island through the step. */
@@ -2969,9 +3056,9 @@ function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    let passes = speed > JAMMED ? 1 : PARTINGS
+    let passes = speed > JAMMED ? 1 : Math.max(PARTINGS, uneven)
     while (separate(scene, live, c0, end) > 0 && --passes > 0);
-    for (let n = b0; n < b1; n++) keepInside(islands.bodies[n])
+    for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
     if (free) return
     weigh(b0, b1, 2)
     const moving = energies[2]
@@ -3000,31 +3087,6 @@ function createWorld(options: WorldOptions) {
     }
     energies[at] = 0.5 * moving
     energies[at + 1] = 0.5 * moving + scene.gravity * height
-  }
-
-  /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
-  function keepInside(i: number): void {
-    const { state, motion, shape } = bodies
-    const far = shape[i * SHAPE + EXTENT]
-    const atX = state[i * STATE + X]
-    const atY = state[i * STATE + Y]
-    if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
-    turn(state, motion, i)
-    const c = Math.abs(motion[i * MOTION + COS])
-    const n = Math.abs(motion[i * MOTION + SIN])
-    const hx = shape[i * SHAPE + HX]
-    const hy = shape[i * SHAPE + HY]
-    const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
-    const ex = hx * c + hy * n + r
-    const ey = hx * n + hy * c + r
-    const s = i * STATE
-    // What fits at no turn stands at the left wall.
-    const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-    const x = Math.min(Math.max(state[s + X], ex), right)
-    const y = Math.min(state[s + Y], walls.height - ey)
-    if (x === state[s + X] && y === state[s + Y]) return
-    state[s + X] = x
-    state[s + Y] = y
   }
 
   /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */

@@ -101,6 +101,9 @@ export const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 export const REST_DISTANCE = 0.5
 export const REST_TIME = 0.5
+/** s for which a group that could sleep is parted first where it is deeper than rest leaves it, and contacts visited for that in a step. */
+export const SORTING = 0.1
+export const STRAIGHTENING = 20_000
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 export const FOLLOW = 0.03
 

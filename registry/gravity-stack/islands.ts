@@ -1,6 +1,6 @@
 import { ANGLE, CORE, EXTENT, grown, INDEX, MOTION, SHAPE, SPIN, STATE, TRAVEL, VX, VY, X, Y } from './body'
 import { DISTANCE, touch, WIDEST } from './collide'
-import { FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, STEP } from './constants'
+import { DEEP, FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, SLOP, SORTING, STEP } from './constants'
 import {
   CLEAR,
   CONTACT,
@@ -15,6 +15,7 @@ import {
   type Scene,
   SECOND,
 } from './contacts'
+import { straighten } from './solver'
 
 /**
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
@@ -280,6 +281,27 @@ export function rest(
       } else if (a > 0) unite(parent, least, a, b)
     }
   }
+  // What is in another when it falls asleep would stay so. The lists of this step are free by now.
+  let contactCount = 0
+  let deep = false
+  for (let n = 0; n < islands.nearCount; n++) {
+    const c = islands.near[n]
+    const a = contacts.pair[2 * c]
+    if (!drowsy(islands, contacts.pair[2 * c + 1]) || (a > 0 && !drowsy(islands, a))) continue
+    islands.live[contactCount++] = c
+    // The last measurement may be some tenths of a pixel old.
+    touch[WIDEST] = MARGIN
+    measure(bodies, contacts, scene.walls, c)
+    contacts.measured++
+    if (touch[DISTANCE] < -DEEP - SLOP) deep = true
+  }
+  if (deep) {
+    let bodyCount = 0
+    for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
+    // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
+    if (straighten(scene, islands.live, contactCount, islands.bodies, bodyCount))
+      for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
+  }
   let left = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -290,4 +312,10 @@ export function rest(
     }
   }
   return left
+}
+
+/** Whether the group of body `i` could sleep, and could not for long. */
+function drowsy({ parent, reach }: Islands, i: number): boolean {
+  const rested = -reach[find(parent, i)]
+  return rested >= REST_TIME && rested < REST_TIME + SORTING
 }

@@ -3,11 +3,14 @@ import {
   ANGLE,
   BRAKE,
   CORE,
+  COS,
   DRIFT_ANGLE,
   DRIFT_X,
   DRIFT_Y,
   EXTENT,
   HORIZON,
+  HX,
+  HY,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -15,13 +18,17 @@ import {
   KICK_X,
   KICK_Y,
   MOTION,
+  narrowest,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  RADIUS,
   SHAPE,
+  SIN,
   SPIN,
   STATE,
   TRAVEL,
+  turn,
   VX,
   VY,
   X,
@@ -39,12 +46,15 @@ import {
   MARGIN,
   MAX_PUSH,
   MAX_SPEED,
+  PARTINGS,
   PUSH,
   PUSH_LAST,
   REFRESH,
   ROLLING,
   ROLLING_SHARE,
   SLOP,
+  STRAIGHTENING,
+  WALL_GIVE,
   WALL_REFRESH,
 } from './constants'
 import {
@@ -515,4 +525,61 @@ export function separate(scene: Scene, list: Int32Array, from: number, to: numbe
     for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) deep += part(scene, list[i], p, false)
   }
   return deep
+}
+
+/** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
+export function keepInside({ bodies, walls }: Scene, i: number): void {
+  const { state, motion, shape } = bodies
+  const far = shape[i * SHAPE + EXTENT]
+  const atX = state[i * STATE + X]
+  const atY = state[i * STATE + Y]
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+  turn(state, motion, i)
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
+  const hx = shape[i * SHAPE + HX]
+  const hy = shape[i * SHAPE + HY]
+  const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
+  const ex = hx * c + hy * n + r
+  const ey = hx * n + hy * c + r
+  const s = i * STATE
+  // What fits at no turn stands at the left wall.
+  const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
+  const x = Math.min(Math.max(state[s + X], ex), right)
+  const y = Math.min(state[s + Y], walls.height - ey)
+  if (x === state[s + X] && y === state[s + Y]) return
+  state[s + X] = x
+  state[s + Y] = y
+}
+
+/**
+ * Parts the first `bodyCount` bodies of `chips`, which are about to fall asleep, as nothing would part them any more: the first
+ * `count` contacts of `list` are pushed apart and measured again, until none is deeper than rest leaves them or that is enough
+ * for a step. Returns whether it moved anything.
+ */
+export function straighten(
+  scene: Scene,
+  list: Int32Array,
+  count: number,
+  chips: Int32Array,
+  bodyCount: number,
+): boolean {
+  const { bodies, contacts, walls } = scene
+  touch[WIDEST] = MARGIN
+  let rounds = 0
+  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
+    for (let i = 0; i < count; i++) {
+      measure(bodies, contacts, walls, list[i])
+      // A chip that reaches from wall to wall and beyond has no place to go.
+      const across = contacts.wall[list[i]] > 1 && contacts.data[list[i] * CONTACT + CLEAR] < -1
+      if (across && rounds === 0) return false
+    }
+    let passes = 0
+    while (passes < PARTINGS && separate(scene, list, 0, count) > 0) passes++
+    if (passes === 0) break
+    for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
+    visits -= passes * count
+    rounds++
+  }
+  return rounds > 0
 }

@@ -2,30 +2,23 @@ import {
   type Air,
   ANGLE,
   air,
-  COS,
   createBodies,
   EXTENT,
   grown,
-  HX,
-  HY,
   INV_INERTIA,
   INV_MASS,
   MAX_DAMPING,
   MOTION,
-  narrowest,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
-  RADIUS,
   reserveBodies,
   SHAPE,
-  SIN,
   SPIN,
   STATE,
   setPose,
   setShape,
   tally,
-  turn,
   VX,
   VY,
   X,
@@ -59,7 +52,6 @@ import {
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
   UNEVEN,
-  WALL_GIVE,
 } from './constants'
 import {
   CLEAR,
@@ -82,7 +74,7 @@ import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, t
 import { clearImpacts, createImpacts, reserveImpacts } from './impacts'
 import { createIslands, find, findIslands, reserveIslands, rest } from './islands'
 import { createPairs, enterPairs, leavePairs, reservePairs, updatePairs } from './pairs'
-import { capSpeed, kick, move, prepare, separate, sweep } from './solver'
+import { capSpeed, keepInside, kick, move, prepare, separate, sweep } from './solver'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -345,7 +337,7 @@ export function createWorld(options: WorldOptions) {
     state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
     state[s + SPIN] *= spin.fade
     capSpeed(state, s)
-    keepInside(i)
+    keepInside(scene, i)
   }
 
   /** One island through the step. */
@@ -390,9 +382,9 @@ export function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    let passes = speed > JAMMED ? 1 : PARTINGS
+    let passes = speed > JAMMED ? 1 : Math.max(PARTINGS, uneven)
     while (separate(scene, live, c0, end) > 0 && --passes > 0);
-    for (let n = b0; n < b1; n++) keepInside(islands.bodies[n])
+    for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
     if (free) return
     weigh(b0, b1, 2)
     const moving = energies[2]
@@ -421,31 +413,6 @@ export function createWorld(options: WorldOptions) {
     }
     energies[at] = 0.5 * moving
     energies[at + 1] = 0.5 * moving + scene.gravity * height
-  }
-
-  /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
-  function keepInside(i: number): void {
-    const { state, motion, shape } = bodies
-    const far = shape[i * SHAPE + EXTENT]
-    const atX = state[i * STATE + X]
-    const atY = state[i * STATE + Y]
-    if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
-    turn(state, motion, i)
-    const c = Math.abs(motion[i * MOTION + COS])
-    const n = Math.abs(motion[i * MOTION + SIN])
-    const hx = shape[i * SHAPE + HX]
-    const hy = shape[i * SHAPE + HY]
-    const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
-    const ex = hx * c + hy * n + r
-    const ey = hx * n + hy * c + r
-    const s = i * STATE
-    // What fits at no turn stands at the left wall.
-    const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-    const x = Math.min(Math.max(state[s + X], ex), right)
-    const y = Math.min(state[s + Y], walls.height - ey)
-    if (x === state[s + X] && y === state[s + Y]) return
-    state[s + X] = x
-    state[s + Y] = y
   }
 
   /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
