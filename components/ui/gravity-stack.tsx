@@ -3243,7 +3243,15 @@ function createWorld(options: WorldOptions) {
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
     configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
-      scene.gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+      const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+      // What rests weighs as much more or less at once: else a pile hops.
+      const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
+      for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
+        contacts.data[k + LOAD] *= share
+        contacts.data[k + SECOND + LOAD] *= share
+        contacts.data[k + DRAG] *= share
+      }
+      scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
       scene.friction = within(change.friction, 0, 100, scene.friction)
       for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) wake(i)
