@@ -76,6 +76,9 @@ const SLOP = 0.004
 const DEEP = 0.02
 const JAMMED = 7
 const PARTINGS = 64
+/** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
+const WEDGED = 0.5
+const PATIENCE = 30
 /** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 const PUSH = 0.5
 const PUSH_LAST = 0.9
@@ -2206,6 +2209,32 @@ function separate(scene: Scene, list: Int32Array, from: number, to: number): num
   return deep
 }
 
+/** The contact among `list[from..to)` whose two chips are deepest in one another, −1 if none is wedged. */
+function deepest(scene: Scene, list: Int32Array, from: number, to: number): number {
+  const { bodies, contacts } = scene
+  let worst = -1
+  let least = -WEDGED
+  for (let i = from; i < to; i++) {
+    const c = list[i]
+    if (contacts.wall[c] > 0) continue
+    const k = c * CONTACT
+    for (let p = k, n = contacts.data[k + POINTS]; n > 0; n--, p += SECOND) {
+      probe(bodies, contacts, c, p)
+      if (touch[GAP_NOW] >= least) continue
+      least = touch[GAP_NOW]
+      worst = c
+    }
+  }
+  return worst
+}
+
+/** Side by side between what gives way to nothing there is no room: the higher chip of contact `c` goes up. */
+function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void {
+  const a = pair[2 * c] * STATE + Y
+  const b = pair[2 * c + 1] * STATE + Y
+  state[state[a] < state[b] ? a : b] -= MAX_PUSH
+}
+
 /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
 function keepInside({ bodies, walls }: Scene, i: number): void {
   const { state, motion, shape } = bodies
@@ -2872,6 +2901,8 @@ function createWorld(options: WorldOptions) {
   /** Of the present island, before and after its step. */
   const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
+  /** Steps in which partings have left the island of a body in a jam, since it last came free. */
+  let jams: Int32Array = new Int32Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
   let population = 0
@@ -2896,6 +2927,7 @@ function createWorld(options: WorldOptions) {
     held = grown(held, capacity)
     undrawn = grown(undrawn, capacity)
     densities = grown(densities, capacity)
+    jams = grown(jams, capacity)
   }
 
   function airFor(substeps: number): { linear: Air; spin: Air } {
@@ -2926,6 +2958,7 @@ function createWorld(options: WorldOptions) {
   function rouse(i: number): void {
     bodies.asleep[i] = 0
     bodies.rest[i * 4 + 3] = 0
+    jams[i] = 0
     awake[awakeCount++] = i
     bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
   }
@@ -3056,8 +3089,11 @@ function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    let passes = speed > JAMMED ? 1 : Math.max(PARTINGS, uneven)
-    while (separate(scene, live, c0, end) > 0 && --passes > 0);
+    let deep = separate(scene, live, c0, end)
+    if (deep > 0 && speed <= JAMMED) {
+      for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
+      if (deep > 0) relieve(b0, b1, c0, end)
+    }
     for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
     if (free) return
     weigh(b0, b1, 2)
@@ -3069,6 +3105,18 @@ function createWorld(options: WorldOptions) {
       const s = islands.bodies[n] * STATE
       for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
     }
+  }
+
+  /** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
+  function relieve(b0: number, b1: number, c0: number, end: number): void {
+    const worst = deepest(scene, islands.live, c0, end)
+    let often = 0
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      jams[i] = worst < 0 ? 0 : jams[i] + 1
+      often = Math.max(often, jams[i])
+    }
+    if (often >= PATIENCE) lift(scene, worst)
   }
 
   /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
@@ -3180,6 +3228,7 @@ function createWorld(options: WorldOptions) {
       population++
       bodies.asleep[i] = 0
       held[i] = 0
+      jams[i] = 0
       undrawn[i] = 1
       awake[awakeCount++] = i
       enterPairs(pairs, i)

@@ -58,6 +58,9 @@ export const SLOP = 0.004
 export const DEEP = 0.02
 export const JAMMED = 7
 export const PARTINGS = 64
+/** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
+export const WEDGED = 0.5
+export const PATIENCE = 30
 /** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 export const PUSH = 0.5
 export const PUSH_LAST = 0.9

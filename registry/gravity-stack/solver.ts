@@ -56,6 +56,7 @@ import {
   STRAIGHTENING,
   WALL_GIVE,
   WALL_REFRESH,
+  WEDGED,
 } from './constants'
 import {
   BASE,
@@ -525,6 +526,32 @@ export function separate(scene: Scene, list: Int32Array, from: number, to: numbe
     for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) deep += part(scene, list[i], p, false)
   }
   return deep
+}
+
+/** The contact among `list[from..to)` whose two chips are deepest in one another, −1 if none is wedged. */
+export function deepest(scene: Scene, list: Int32Array, from: number, to: number): number {
+  const { bodies, contacts } = scene
+  let worst = -1
+  let least = -WEDGED
+  for (let i = from; i < to; i++) {
+    const c = list[i]
+    if (contacts.wall[c] > 0) continue
+    const k = c * CONTACT
+    for (let p = k, n = contacts.data[k + POINTS]; n > 0; n--, p += SECOND) {
+      probe(bodies, contacts, c, p)
+      if (touch[GAP_NOW] >= least) continue
+      least = touch[GAP_NOW]
+      worst = c
+    }
+  }
+  return worst
+}
+
+/** Side by side between what gives way to nothing there is no room: the higher chip of contact `c` goes up. */
+export function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void {
+  const a = pair[2 * c] * STATE + Y
+  const b = pair[2 * c + 1] * STATE + Y
+  state[state[a] < state[b] ? a : b] -= MAX_PUSH
 }
 
 /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */

@@ -39,6 +39,7 @@ import {
   LIVELY_BOUNCE,
   MARGIN,
   PARTINGS,
+  PATIENCE,
   ROUNDS,
   SLOP,
   STEP,
@@ -74,7 +75,7 @@ import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, t
 import { clearImpacts, createImpacts, reserveImpacts } from './impacts'
 import { createIslands, find, findIslands, reserveIslands, rest } from './islands'
 import { createPairs, enterPairs, leavePairs, reservePairs, updatePairs } from './pairs'
-import { capSpeed, keepInside, kick, move, prepare, separate, sweep } from './solver'
+import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -198,6 +199,8 @@ export function createWorld(options: WorldOptions) {
   /** Of the present island, before and after its step. */
   const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
+  /** Steps in which partings have left the island of a body in a jam, since it last came free. */
+  let jams: Int32Array = new Int32Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
   let population = 0
@@ -222,6 +225,7 @@ export function createWorld(options: WorldOptions) {
     held = grown(held, capacity)
     undrawn = grown(undrawn, capacity)
     densities = grown(densities, capacity)
+    jams = grown(jams, capacity)
   }
 
   function airFor(substeps: number): { linear: Air; spin: Air } {
@@ -252,6 +256,7 @@ export function createWorld(options: WorldOptions) {
   function rouse(i: number): void {
     bodies.asleep[i] = 0
     bodies.rest[i * 4 + 3] = 0
+    jams[i] = 0
     awake[awakeCount++] = i
     bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
   }
@@ -382,8 +387,11 @@ export function createWorld(options: WorldOptions) {
       stats.substeps++
       if (active === 0 && stirs === 0 && grabbed.length === 0) break
     }
-    let passes = speed > JAMMED ? 1 : Math.max(PARTINGS, uneven)
-    while (separate(scene, live, c0, end) > 0 && --passes > 0);
+    let deep = separate(scene, live, c0, end)
+    if (deep > 0 && speed <= JAMMED) {
+      for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
+      if (deep > 0) relieve(b0, b1, c0, end)
+    }
     for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
     if (free) return
     weigh(b0, b1, 2)
@@ -395,6 +403,18 @@ export function createWorld(options: WorldOptions) {
       const s = islands.bodies[n] * STATE
       for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
     }
+  }
+
+  /** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
+  function relieve(b0: number, b1: number, c0: number, end: number): void {
+    const worst = deepest(scene, islands.live, c0, end)
+    let often = 0
+    for (let n = b0; n < b1; n++) {
+      const i = islands.bodies[n]
+      jams[i] = worst < 0 ? 0 : jams[i] + 1
+      often = Math.max(often, jams[i])
+    }
+    if (often >= PATIENCE) lift(scene, worst)
   }
 
   /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
@@ -506,6 +526,7 @@ export function createWorld(options: WorldOptions) {
       population++
       bodies.asleep[i] = 0
       held[i] = 0
+      jams[i] = 0
       undrawn[i] = 1
       awake[awakeCount++] = i
       enterPairs(pairs, i)
