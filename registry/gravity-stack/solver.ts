@@ -333,12 +333,13 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
   const stirred = bodies.stirred
   const lull = round - 1
   let stirs = 0
+  let rows = 0
   for (let i = from; i < to; i++) {
     const c = list[i] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
     if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
-    contacts.rows++
+    rows++
     const k = c * CONTACT
     const k2 = k + SECOND
     const a = bodyA * STATE
@@ -347,8 +348,14 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
     const ny = d[k + NY]
     let spinA = s[a + SPIN]
     let spinB = s[b + SPIN]
-    const vx = s[b + VX] - s[a + VX]
-    const vy = s[b + VY] - s[a + VY]
+    const vxA = s[a + VX]
+    const vyA = s[a + VY]
+    const vxB = s[b + VX]
+    const vyB = s[b + VY]
+    const vx = vxB - vxA
+    const vy = vyB - vyA
+    const iia = s[a + INV_INERTIA]
+    const iib = s[b + INV_INERTIA]
     const speed = nx * vx + ny * vy
     const na1 = d[k + NA]
     const nb1 = d[k + NB]
@@ -365,8 +372,8 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       if (normal === 0 && load === 0) continue
       change = Math.abs(normal) * d[k + K]
       d[k + LOAD] = load
-      spinA -= s[a + INV_INERTIA] * na1 * normal
-      spinB += s[b + INV_INERTIA] * nb1 * normal
+      spinA -= iia * na1 * normal
+      spinB += iib * nb1 * normal
     } else {
       const na2 = d[k2 + NA]
       const nb2 = d[k2 + NB]
@@ -408,8 +415,8 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       p2 -= l2
       normal = p1 + p2
       change = Math.abs(p1) * k11 + Math.abs(p2) * k22
-      spinA -= s[a + INV_INERTIA] * (na1 * p1 + na2 * p2)
-      spinB += s[b + INV_INERTIA] * (nb1 * p1 + nb2 * p2)
+      spinA -= iia * (na1 * p1 + na2 * p2)
+      spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     if (change > tolerance) {
       stirred[bodyA] = round
@@ -427,20 +434,21 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
       t -= old
-      spinA -= s[a + INV_INERTIA] * ta * t
-      spinB += s[b + INV_INERTIA] * tb * t
+      spinA -= iia * ta * t
+      spinB += iib * tb * t
     }
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
-    s[a + VX] -= ima * x
-    s[a + VY] -= ima * y
+    s[a + VX] = vxA - ima * x
+    s[a + VY] = vyA - ima * y
     s[a + SPIN] = spinA
-    s[b + VX] += imb * x
-    s[b + VY] += imb * y
+    s[b + VX] = vxB + imb * x
+    s[b + VY] = vyB + imb * y
     s[b + SPIN] = spinB
   }
+  contacts.rows += rows
   return stirs
 }
 
