@@ -47,50 +47,50 @@ import {
  */
 
 // Record of `data`: one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
-export const NX = 0
-export const NY = 1
+export const NX = 6
+export const NY = 7
 /** 0: apart, no manifold; 1 or 2 points. */
-export const POINTS = 2
+export const POINTS = 28
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
-export const NA = 3
-export const NB = 4
+export const NA = 8
+export const NB = 9
 /** Accumulated impulse of a sub-step. */
-export const LOAD = 5
+export const LOAD = 10
 /** px/s at which the gap may close in the sub-step. */
-export const CLOSING = 6
+export const CLOSING = 11
 /** Inverse effective mass along the normal, and its inverse. */
-export const K = 7
-export const MASS = 8
+export const K = 12
+export const MASS = 13
 /** px, gap at the origin of the poses. */
-export const BASE = 9
+export const BASE = 14
 export const SECOND = 7
 /** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
-export const K12 = 17
-export const INV_DET = 18
+export const K12 = 22
+export const INV_DET = 23
 /** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-export const TA = 19
-export const TB = 20
-export const DRAG = 21
-export const MASS_T = 22
+export const TA = 24
+export const TB = 25
+export const DRAG = 26
+export const MASS_T = 27
 /** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
-export const CLEAR = 23
-export const FROM_X = 24
-export const FROM_Y = 25
-export const FROM_A = 26
-export const FROM_B = 27
+export const CLEAR = 0
+export const FROM_X = 1
+export const FROM_Y = 2
+export const FROM_A = 3
+export const FROM_B = 4
 /** Sub-steps a step when the impulses were stored. */
-export const RATE = 28
+export const RATE = 5
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
-export const LAG = 29
+export const LAG = 30
 /** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
-export const GOAL = 30
-export const HIT = 31
-export const GOAL_T = 32
-export const HIT_T = 33
+export const GOAL = 31
+export const HIT = 32
+export const GOAL_T = 33
+export const HIT_T = 34
 /** px/s, last change of a normal velocity. */
-export const CHANGE = 34
+export const CHANGE = 35
 /** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
-export const DUE = 35
+export const DUE = 29
 export const CONTACT = 40
 
 export interface Contacts {
