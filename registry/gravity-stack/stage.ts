@@ -1,6 +1,7 @@
 import { cancelFrame, frame } from 'motion'
+import { STATE, X, Y } from './body'
 import { BOUNCE, FRICTION, GRAVITY } from './constants'
-import { reach, releasePose, releaseTime, scatter } from './drop'
+import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './world'
 
 // The only room with a DOM. Layout is read in observers and at a press, written in the frame loop as transforms.
@@ -211,10 +212,11 @@ export function createStage(root: HTMLElement): Stage {
   })
 
   function collect() {
+    const moves = !still.matches
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
-      if (!still.matches) sizes.observe(element)
+      if (moves) sizes.observe(element)
     }
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
@@ -306,12 +308,15 @@ export function createStage(root: HTMLElement): Stage {
   }
 
   function release(chip: Chip) {
-    const obstacles = []
-    for (const other of chips.values()) {
-      if (other.id < 0) continue
-      const { x, y } = world!.read(other.id)
+    const obstacles: Obstacle[] = []
+    const poses = world!.scene.bodies.state
+    // From the world's own array: to read every chip at every release would leave an object each on the heap.
+    bodies.forEach((other) => {
+      if (other.id < 0) return
+      const x = poses[other.id * STATE + X]!
+      const y = poses[other.id * STATE + Y]!
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
-    }
+    })
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     chip.id = world!.add({ ...chip, ...pose })
     chip.x = Number.NaN
@@ -431,8 +436,8 @@ export function createStage(root: HTMLElement): Stage {
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
+    if (!still.matches) sizes.observe(root)
     collect()
-    stillChanged()
     listen()
     focus({ target: (root.getRootNode() as Document).activeElement })
   }
@@ -605,7 +610,8 @@ export function createStage(root: HTMLElement): Stage {
     if (inView && !listening) arm()
     const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    if (listening) sync()
+    // Of a drop that begins at once, the first that shows is that it runs: each state costs every chip its style.
+    if (listening && (world || !started)) sync()
   })
 
   return {
