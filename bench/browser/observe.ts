@@ -26,6 +26,11 @@ export function observe(counting: boolean) {
     frame.call(window, countFrames)
   }
   window.observed = observed
+  /** In the trace, and told aloud: who measures a page asks it nothing meanwhile. */
+  function mark(name: string) {
+    performance.mark(name)
+    console.debug(name)
+  }
   new PerformanceObserver((list) => {
     for (const entry of list.getEntries()) observed.shift += (entry as unknown as { value: number }).value
   }).observe({ type: 'layout-shift', buffered: true })
@@ -50,14 +55,14 @@ export function observe(counting: boolean) {
     observed.writes += writes
     if (writes === 0 || drawn) return
     drawn = true
-    performance.mark('drawn')
+    mark('drawn')
     if (!counting) drawing.disconnect()
   })
   drawing.observe(document, { attributeFilter: ['style'], subtree: true })
   new MutationObserver((records) => {
     for (const { target } of records) {
       const { slot, state } = (target as HTMLElement).dataset
-      if (slot === 'gravity-stack' && state === 'resting') performance.mark('rest')
+      if (slot === 'gravity-stack' && state === 'resting') mark('rest')
     }
   }).observe(document, { attributeFilter: ['data-state'], subtree: true })
   addEventListener('DOMContentLoaded', () => {
