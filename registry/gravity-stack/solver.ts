@@ -239,11 +239,8 @@ function bounce(
   end: number,
 ): number {
   const { bodies, contacts, h } = scene
-  const d = contacts.data
-  const s = bodies.state
-  const shape = bodies.shape
-  const pair = contacts.pair
-  const ahead = AHEAD * h
+  const { state: s, shape } = bodies
+  const { data: d, pair } = contacts
   for (let again = 1; impacts.count > 0; again++) {
     resolve(impacts, scene)
     for (let n = 0; n < impacts.bodyCount; n++) {
@@ -269,7 +266,7 @@ function bounce(
           Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
           shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
           shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
-        enterAgain(impacts, scene, c, MARGIN + ahead * way)
+        enterAgain(impacts, scene, c, MARGIN + AHEAD * h * way)
         if (d[k + POINTS] > 0) close(scene, c)
       }
       if (d[k + POINTS] > 0) live[end++] = c
