@@ -1,6 +1,8 @@
 // Does one job of the benchmark in a process of its own: shared compiled code would blur the figures.
-// Takes the job as JSON and the seconds of processor it may take, prints its outcome as JSON on the last line.
+// Takes the job as JSON and the seconds of processor it may take, prints its outcome as JSON on the last line. Called
+// with "turns" it takes a job a line, the rounds of one engine in one scene, and waits in between.
 import { writeSync } from 'node:fs'
+import { createInterface } from 'node:readline'
 import { sceneNamed } from '../scenes'
 import { type Kind, pourChips, pourStage } from '../scenes/piles'
 import { conditions, type Scene } from '../scenes/scene'
@@ -75,10 +77,25 @@ function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: nu
   }
 }
 
-/** Warms up until the compiler has seen whole pours, then measures others, the same for every engine. */
-function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cost | AtLeast {
+/** Waits for the compiler's threads: what they still owe would slow down this engine, or the next one's turn. */
+async function compiled() {
+  for (let waited = 0; waited < 3000; waited += 10) {
+    const begin = process.cpuUsage()
+    await new Promise((resolve) => setTimeout(resolve, 10))
+    if (process.cpuUsage(begin).user < 2000) return
+  }
+}
+
+/** Whether this process has had a turn. */
+let warm = false
+
+/** Warms up in a process's first turn, until the compiler has seen whole pours, and measures the same for every engine. */
+async function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Promise<Cost | AtLeast> {
   const scene = pourScene(job.chips, job.shape)
-  warmUp(engine, scene, job.setting, job.warmUp, 101)
+  if (!warm) {
+    warmUp(engine, scene, job.setting, job.warmUp, 101)
+    await compiled()
+  }
   const costs: Cost[] = []
   let total = 0
   for (let seed = 1; seed <= job.seeds && (seed === 1 || total < long); seed++) {
@@ -98,11 +115,15 @@ function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Cos
 }
 
 /** Microseconds per frame of a scene's first six seconds, for each setting. */
-function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
+async function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
-  // Getting to know an engine takes the compiler a third of a second's work where many chips meet.
-  warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 300 : 150, job.seed)
+  if (!warm) {
+    // Getting to know an engine takes the compiler half a second's work where many chips meet.
+    warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 500 : 250, job.seed)
+    for (const setting of job.settings) warmUp(engine, scene, setting, 10, job.seed)
+    await compiled()
+  }
   // What everyone looks at comes last: by then the compiler has seen most.
   const costs = job.settings.toReversed().map((setting) => {
     warmUp(engine, scene, setting, 10, job.seed)
@@ -170,11 +191,14 @@ const patient = (engine: Engine, patience: number): Engine => ({
   },
 })
 
+let engine: Engine | undefined
+
 async function work(job: Job, patience: number) {
-  const engine = await loadEngine(job.engine)
+  engine ??= await loadEngine(job.engine)
   if (job.kind === 'errors') {
     const scene = sceneNamed(job.scene)
-    return job.settings.map((setting) => sceneErrors(patient(engine, patience), scene, setting, job.seeds))
+    const slow = patient(engine, patience)
+    return job.settings.map((setting) => sceneErrors(slow, scene, setting, job.seeds))
   }
   if (job.kind === 'scene cost') return sceneCost(engine, job)
   if (job.kind === 'pour cost') return pourCost(engine, job)
@@ -182,10 +206,20 @@ async function work(job: Job, patience: number) {
   return allocation(engine, job)
 }
 
-const outcome = await work(JSON.parse(process.argv[2]), Number(process.argv[3])).catch((error: unknown) => {
-  if (error instanceof GivenUp) return undefined
-  throw error
-})
-writeSync(1, `${JSON.stringify({ seconds: seconds(), outcome })}\n`)
+async function answer(job: Job, patience: number) {
+  const outcome = await work(job, patience).catch((error: unknown) => {
+    if (error instanceof GivenUp) return undefined
+    throw error
+  })
+  warm = true
+  writeSync(1, `${JSON.stringify({ seconds: seconds(), outcome })}\n`)
+}
+
+const [, , order, patience] = process.argv
+if (order === 'turns') {
+  for await (const line of createInterface({ input: process.stdin })) {
+    await answer(JSON.parse(line), Number.POSITIVE_INFINITY)
+  }
+} else await answer(JSON.parse(order), Number(patience))
 // Left to itself, a process that has loaded a large WebAssembly module goes on compiling it for seconds.
 process.kill(process.pid, 'SIGKILL')

@@ -1,6 +1,7 @@
-import { execFile } from 'node:child_process'
+import { execFile, spawn } from 'node:child_process'
 import { rmSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
+import { createInterface } from 'node:readline'
 import { fileURLToPath } from 'node:url'
 import { rolldown } from 'rolldown'
 import type { AtLeast, Cost, Job } from './job'
@@ -52,6 +53,17 @@ export type Outcome<J extends Job> = J extends { kind: 'errors' }
 /** Seconds of processor that jobs have taken in all. */
 export const spent = { seconds: 0 }
 
+/** How the line begins that a process ends a job with. */
+const said = '{"seconds"'
+/** ms after which a job that may take so many seconds of processor does not come back at all. */
+const hung = (patience: number) => 1000 * (3 * patience + 30)
+
+function parsed(line: string) {
+  // JSON knows no Infinity: it writes null, and an error without bound is what that means here.
+  const { outcome, seconds } = JSON.parse(line, (_, value) => value ?? Number.POSITIVE_INFINITY)
+  return { outcome: outcome ?? null, seconds }
+}
+
 /**
  * The outcome of a job, or null when it took more than `patience` seconds of processor: however busy the machine is, the
  * same jobs are given up. One that doesn't come back at all is ended from here.
@@ -59,22 +71,69 @@ export const spent = { seconds: 0 }
 export function runJob<J extends Job>(child: string, job: J, patience = 300): Promise<Outcome<J> | null> {
   const flags =
     job.kind === 'allocation' ? ['--expose-gc', '--min-semi-space-size=256', '--max-semi-space-size=256'] : []
-  const hung = 1000 * (3 * patience + 30)
   return new Promise((resolve, reject) => {
-    const options = { cwd: root, encoding: 'utf8' as const, timeout: hung, killSignal: 'SIGKILL' as const }
+    const options = {
+      cwd: root,
+      encoding: 'utf8' as const,
+      timeout: hung(patience),
+      killSignal: 'SIGKILL' as const,
+    }
     const args = [...flags, child, JSON.stringify(job), String(patience)]
     execFile(process.execPath, args, options, (error, out, err) => {
       // A job that has said its last line ends itself the hard way, which is no failure.
-      const last = out.endsWith('\n') ? out.trimEnd().split('\n').at(-1) : undefined
-      if (!last?.startsWith('{"seconds"')) {
+      const last = out.trimEnd().split('\n').at(-1) ?? ''
+      if (!out.endsWith('\n') || !last.startsWith(said)) {
         if (!error?.killed) return reject(new Error(`${JSON.stringify(job)}\n${err || error?.message}`))
         spent.seconds += patience
         return resolve(null)
       }
-      // JSON knows no Infinity: it writes null, and an error without bound is what that means here.
-      const { outcome, seconds } = JSON.parse(last, (_, value) => value ?? Number.POSITIVE_INFINITY)
+      const { outcome, seconds } = parsed(last)
       spent.seconds += seconds
-      resolve(outcome ?? null)
+      resolve(outcome)
     })
   })
 }
+
+/** A process that takes the jobs of one engine in turns and waits in between, so that it warms up once. */
+export function openTurns(child: string) {
+  const player = spawn(process.execPath, [child, 'turns'], { cwd: root, stdio: 'pipe' })
+  let before = 0
+  let complaints = ''
+  let onLine = (_line: string) => {}
+  let onEnd = () => {}
+  player.stderr.on('data', (text) => {
+    complaints = `${complaints}${text}`.slice(-4000)
+  })
+  // Whoever has ended takes no more orders, which its end says already.
+  player.stdin.on('error', () => {})
+  player.on('close', () => onEnd())
+  createInterface({ input: player.stdout }).on('line', (line) => onLine(line))
+  return {
+    /** The outcome of a job, or null when it did not come back. */
+    take<J extends Job>(job: J, patience: number): Promise<Outcome<J> | null> {
+      return new Promise((resolve, reject) => {
+        const giveUp = setTimeout(() => {
+          onEnd = () => {}
+          player.kill('SIGKILL')
+          resolve(null)
+        }, hung(patience))
+        onEnd = () => {
+          clearTimeout(giveUp)
+          reject(new Error(`${JSON.stringify(job)}\n${complaints}`))
+        }
+        onLine = (line) => {
+          if (!line.startsWith(said)) return
+          clearTimeout(giveUp)
+          onEnd = () => {}
+          const { outcome, seconds } = parsed(line)
+          spent.seconds += seconds - before
+          before = seconds
+          resolve(outcome)
+        }
+        player.stdin.write(`${JSON.stringify(job)}\n`)
+      })
+    },
+    close: () => player.stdin.end(),
+  }
+}
+export type Turns = ReturnType<typeof openTurns>

@@ -36,7 +36,7 @@ import {
   type SceneCostRow,
   verdicts,
 } from './report'
-import { bundle, type Outcome, root, runJob, spent } from './run-job'
+import { bundle, type Outcome, openTurns, root, runJob, spent, type Turns } from './run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -151,57 +151,123 @@ process.on('SIGINT', () => {
   process.exit(130)
 })
 
-/** Runs tasks in order, at most `workers` at once, and says how far it is. */
-async function runAll(title: string, tasks: Task[], workers: number, until = deadline) {
-  const queue = tasks.filter(({ key, job }) => {
-    if (done.has(key)) {
-      outcomes.set(key, done.get(key))
-      if (job.kind !== 'errors') resumed = true
-    }
-    return !outcomes.has(key)
-  })
-  const total = queue.length
-  if (total === 0) return
+/** Whether a task is done already, in this run or in one before. */
+function isKnown({ key, job }: Task) {
+  if (!outcomes.has(key) && done.has(key)) {
+    outcomes.set(key, done.get(key))
+    if (job.kind !== 'errors') resumed = true
+  }
+  return outcomes.has(key)
+}
+
+/** Keeps what comes of a task, or that nothing does; says whether it came. */
+async function keep({ key, job }: Task, work: Promise<unknown>) {
+  let outcome: unknown = null
+  try {
+    outcome = await work
+    if (outcome === null) failures.set(key, `given up after ${patience(job)} s of processor`)
+  } catch (error) {
+    failures.set(key, 'crashed')
+    console.error(`\n${error instanceof Error ? error.message : error}`)
+  }
+  outcomes.set(key, outcome)
+  const file = job.kind === 'errors' ? errorCache : partial
+  if (!quick && outcome !== null) appendFileSync(file, `${JSON.stringify([key, outcome])}\n`)
+  return outcome !== null
+}
+
+/** Says how far so many tasks are, and in the end what they took. */
+function progressOf(title: string, expected: number) {
+  let total = expected
   const start = performance.now()
   const before = spent.seconds
+  const elapsed = () => (performance.now() - start) / 1000
   let finished = 0
-  const worker = async () => {
-    for (let next = queue.shift(); next && performance.now() < until; next = queue.shift()) {
-      let outcome: unknown = null
-      try {
-        outcome = await runJob(child, next.job, patience(next.job))
-        if (outcome === null) failures.set(next.key, `given up after ${patience(next.job)} s of processor`)
-      } catch (error) {
-        failures.set(next.key, 'crashed')
-        console.error(`\n${error instanceof Error ? error.message : error}`)
-      }
-      outcomes.set(next.key, outcome)
-      const file = next.job.kind === 'errors' ? errorCache : partial
-      if (!quick && outcome !== null) appendFileSync(file, `${JSON.stringify([next.key, outcome])}\n`)
+  return {
+    tick(job: Job) {
       finished++
-      const elapsed = (performance.now() - start) / 1000
-      const remaining = (elapsed / finished) * (total - finished)
-      const scene = 'scene' in next.job ? next.job.scene : `${'chips' in next.job ? next.job.chips : 0} chips`
-      const line = `${title} ${finished}/${total}, ${elapsed.toFixed(0)} s, ${remaining.toFixed(0)} s to go: ${next.job.engine}, ${scene}`
+      const remaining = (elapsed() / finished) * (total - finished)
+      const scene = 'scene' in job ? job.scene : `${'chips' in job ? job.chips : 0} chips`
+      const line = `${title} ${finished}/${total}, ${elapsed().toFixed(0)} s, ${remaining.toFixed(0)} s to go: ${job.engine}, ${scene}`
       if (process.stderr.isTTY) process.stderr.write(`\r\x1b[K${line.slice(0, 100)}`)
       else if (finished % 25 === 0) console.error(line)
+    },
+    skip(tasks: number) {
+      total -= tasks
+    },
+    end() {
+      if (process.stderr.isTTY) process.stderr.write('\r\x1b[K')
+      const seconds = `${elapsed().toFixed(0)} s, ${(spent.seconds - before).toFixed(0)} s of processor`
+      console.error(`${title}: ${finished} of ${total} in ${seconds}`)
+    },
+  }
+}
+
+function stopIfLate() {
+  if (performance.now() < deadline) return
+  console.error('call again to go on')
+  process.exit(75)
+}
+
+/** Runs tasks in order, each in a process of its own, at most `workers` at once. */
+async function runAll(title: string, tasks: Task[], workers: number, until = deadline) {
+  const queue = tasks.filter((task) => !isKnown(task))
+  if (queue.length === 0) return
+  const progress = progressOf(title, queue.length)
+  const worker = async () => {
+    for (let next = queue.shift(); next; next = queue.shift()) {
+      if (performance.now() >= until) return
+      await keep(next, runJob(child, next.job, patience(next.job)))
+      progress.tick(next.job)
     }
   }
   await Promise.all(Array.from({ length: workers }, worker))
-  if (process.stderr.isTTY) process.stderr.write('\r\x1b[K')
-  const elapsed = (performance.now() - start) / 1000
-  const seconds = `${elapsed.toFixed(0)} s, ${(spent.seconds - before).toFixed(0)} s of processor`
-  console.error(`${title}: ${finished} of ${total} in ${seconds}`)
-  if (finished < total && performance.now() >= deadline) {
-    console.error('call again to go on')
-    process.exit(75)
+  progress.end()
+  if (queue.length > 0) stopIfLate()
+}
+
+/** What one engine is timed at: the job of each round, or none when it needs no more. */
+type Player = (round: number) => Job | null
+
+/**
+ * Lets engines take turns, round after round, one at a time, each in a process that it keeps. The first round is for
+ * all, what comes after it for as long as there is time.
+ */
+async function takeTurns(title: string, players: Player[]) {
+  const progress = progressOf(title, players.length * mostRounds)
+  const table = players.map((jobOf) => ({ jobOf, seat: undefined as Turns | undefined, out: false }))
+  for (let round = 0; round < mostRounds; round++) {
+    for (const player of table) {
+      stopIfLate()
+      if (player.out || (round > 0 && performance.now() >= enough)) continue
+      const job = player.jobOf(round)
+      if (!job) {
+        // Who is out makes room: some hold a hundred megabytes.
+        player.out = true
+        player.seat?.close()
+        progress.skip(mostRounds - round)
+        continue
+      }
+      const next = task(job, round)
+      if (!isKnown(next)) {
+        player.seat ??= openTurns(child)
+        await keep(next, player.seat.take(job, patience(job)))
+      }
+      progress.tick(job)
+      if (outcomes.get(next.key) === null) {
+        player.out = true
+        progress.skip(mostRounds - round - 1)
+      }
+    }
   }
+  for (const { seat } of table) seat?.close()
+  progress.end()
 }
 
 const outcomeOf = <J extends Job>(job: J, round = 0) =>
   (outcomes.get(task(job, round).key) ?? null) as Outcome<J> | null
 
-const asTasks = (jobs: Job[], round = 0) => jobs.map((job) => task(job, round))
+const asTasks = (jobs: Job[]) => jobs.map((job) => task(job))
 
 // What others took of the machine is what all but the jobs took.
 const busySeconds = () => {
@@ -241,7 +307,7 @@ const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
   chips,
   shape: 'pills' as const,
   seeds: quick ? 1 : pourSeeds(chips),
-  warmUp: quick ? 200 : 400,
+  warmUp: quick ? 300 : 600,
 })
 const pourOf = (contestant: Contestant, chips: number, round = 0) =>
   outcomeOf(pourJob(contestant, chips), round)
@@ -261,23 +327,28 @@ function isHopeless(contestant: Contestant, chips: number) {
 }
 
 /** Pours of all sizes by all that are able, the slow ones once. */
-async function timePours(round: number, until = deadline) {
+async function timePours() {
   for (const chips of sizes) {
-    const own = pourOf({ engine: ours, setting: {} }, chips)
-    const able = contestants(chips).filter((contestant) => {
-      if (round === 0) return !isHopeless(contestant, chips)
-      const first = pourOf(contestant, chips)
-      if (!first || 'atLeast' in first) return false
-      return !timedOnce(contestant.engine, first.mean, pourFrames, own && 'mean' in own ? own.mean : 0)
-    })
-    const jobs = able.map((contestant) => pourJob(contestant, chips))
-    const title = `cost of ${chips} chips, round ${round + 1} of ${mostRounds}`
-    await runAll(title, asTasks(jobs, round), 1, until)
+    const able = contestants(chips).filter((contestant) => !isHopeless(contestant, chips))
+    const players = able.map(
+      (contestant): Player =>
+        (round) => {
+          if (round > 0) {
+            const own = pourOf({ engine: ours, setting: {} }, chips)
+            const first = pourOf(contestant, chips)
+            if (!first || 'atLeast' in first) return null
+            const ownMean = own && 'mean' in own ? own.mean : undefined
+            if (timedOnce(contestant.engine, first.mean, pourFrames, ownMean)) return null
+          }
+          return pourJob(contestant, chips)
+        },
+    )
+    await takeTurns(`cost of ${chips} chips`, players)
   }
 }
 
 // Pours come first: whoever is given up there needs no film of as many.
-if (!options.errors) await timing(() => timePours(0))
+if (!options.errors) await timing(timePours)
 
 /** Settings to film together, and from how many seeds. Whoever is slow is filmed as it comes, and briefly else. */
 function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
@@ -344,39 +415,44 @@ const errors: ErrorRow[] = engines.flatMap((engine) =>
 )
 
 type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
-const sceneCostJobs = (round: number): SceneCostJob[] =>
-  chosenScenes
-    .filter((scene) => !largeSize(scene))
-    .flatMap((scene) =>
-      engines.flatMap((engine) => {
-        // Whoever lost its way has no place on the plot, whatever it cost.
-        let settings = errors
-          .filter((row) => row.engine === engine.name && row.scene === scene.name)
-          .map((row) => row.setting)
-        if (round > 0) {
-          settings = settings.filter((setting) => {
-            const cost = sceneCostOf(engine.name, scene, setting, 0)
-            const own = sceneCostOf(ours, scene, {}, 0) ?? undefined
-            return cost !== null && !timedOnce(engine.name, cost, 60 * Math.min(6, scene.seconds), own)
-          })
-        }
-        if (settings.length === 0) return []
-        return [
-          {
-            kind: 'scene cost',
-            engine: engine.name,
-            scene: scene.name,
-            settings,
-            seed: 1 + (round % scene.seeds),
-          },
-        ]
-      }),
-    )
-const sceneJobs: SceneCostJob[][] = []
+const sceneJobs: SceneCostJob[][] = Array.from({ length: mostRounds }, () => [])
 function sceneCostOf(engine: string, scene: { name: string }, setting: Setting, round: number) {
-  const job = sceneJobs[round]?.find((job) => job.engine === engine && job.scene === scene.name)
+  const job = sceneJobs[round].find((job) => job.engine === engine && job.scene === scene.name)
   const i = job?.settings.findIndex((other) => settingName(other) === settingName(setting)) ?? -1
   return i < 0 ? null : (outcomeOf(job!, round)?.[i] ?? null)
+}
+
+function sceneCostJob(engine: Engine, scene: Scene, round: number): SceneCostJob | null {
+  // Whoever lost its way has no place on the plot, whatever it cost.
+  let settings = errors
+    .filter((row) => row.engine === engine.name && row.scene === scene.name)
+    .map((row) => row.setting)
+  if (round > 0) {
+    const own = sceneCostOf(ours, scene, {}, 0) ?? undefined
+    settings = settings.filter((setting) => {
+      const cost = sceneCostOf(engine.name, scene, setting, 0)
+      return cost !== null && !timedOnce(engine.name, cost, 60 * Math.min(6, scene.seconds), own)
+    })
+  }
+  if (settings.length === 0) return null
+  const seed = 1 + (round % scene.seeds)
+  return { kind: 'scene cost', engine: engine.name, scene: scene.name, settings, seed }
+}
+
+/** Scene by scene: those that everyone looks at come first, should there be no time for all rounds of all. */
+async function timeScenes() {
+  const small = chosenScenes.filter((scene) => !largeSize(scene))
+  for (const scene of small.toSorted((a, b) => b.seeds - a.seeds)) {
+    const players = engines.map(
+      (engine): Player =>
+        (round) => {
+          const job = sceneCostJob(engine, scene, round)
+          if (job) sceneJobs[round].push(job)
+          return job
+        },
+    )
+    await takeTurns(`cost of ${scene.name}`, players)
+  }
 }
 
 const singles = engines.flatMap((engine) => [
@@ -384,34 +460,22 @@ const singles = engines.flatMap((engine) => [
   { kind: 'allocation' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
 ])
 
-async function timeScenes(round: number, until = deadline) {
-  sceneJobs[round] = sceneCostJobs(round)
-  const title = `cost of scenes, round ${round + 1} of ${mostRounds}`
-  await runAll(title, asTasks(sceneJobs[round], round), 1, until)
-}
-
 /** With the time that is left: how much a pour is at least where fewer chips were slow already. */
-async function timeHopeless(until: number) {
+async function timeHopeless() {
   for (const chips of sizes) {
     const untried = contestants(chips).filter((contestant) => {
       const fewer = withFewer(contestant, chips)
       return fewer && 'mean' in fewer && !outcomes.has(task(pourJob(contestant, chips)).key)
     })
     const jobs = untried.map((contestant) => pourJob(contestant, chips))
-    await runAll(`cost of ${chips} chips, the slowest`, asTasks(jobs), 1, until)
+    await runAll(`cost of ${chips} chips, the slowest`, asTasks(jobs), 1, Math.min(deadline, enough))
   }
 }
 
-let rounds = 1
 await timing(async () => {
-  await timeScenes(0)
+  await timeScenes()
   if (!quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
-  const until = Math.min(deadline, enough)
-  for (; rounds < mostRounds && performance.now() < enough; rounds++) {
-    await timePours(rounds, until)
-    await timeScenes(rounds, until)
-  }
-  if (!quick) await timeHopeless(until)
+  if (!quick) await timeHopeless()
 })
 
 const others = Math.max(0, machineTime.busy - machineTime.own) / (machineTime.busy + machineTime.idle)
@@ -441,7 +505,7 @@ function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; 
 
 const pourCosts: PourCostRow[] = sizes.flatMap((chips) =>
   contestants(chips).map((contestant) => {
-    const runs = Array.from({ length: rounds }, (_, round) => pourOf(contestant, chips, round))
+    const runs = Array.from({ length: mostRounds }, (_, round) => pourOf(contestant, chips, round))
     const costs = runs.filter((run): run is Cost => run !== null && 'mean' in run)
     const row = { ...contestant, chips, ...spreadOf(costs.map((cost) => cost.mean)) }
     return costs.length > 0
@@ -463,7 +527,7 @@ const sceneCosts: SceneCostRow[] = chosenScenes.flatMap((scene) =>
       if (pour?.cost) {
         return [{ ...row, cost: pour.cost.mean, spread: pour.spread, rounds: pour.rounds }]
       }
-      const costs = Array.from({ length: rounds }, (_, round) =>
+      const costs = Array.from({ length: mostRounds }, (_, round) =>
         sceneCostOf(engine.name, scene, setting, round),
       ).filter((cost) => cost !== null)
       return costs.length > 0 ? [{ ...row, cost: median(costs), ...spreadOf(costs) }] : []
@@ -510,7 +574,7 @@ const results: Results = {
   minutes: Number((performance.now() / 60_000).toFixed(1)),
   resumed,
   others: Number(others.toFixed(3)),
-  rounds,
+  rounds: Math.max(1, ...[...sceneCosts, ...pourCosts].map((row) => row.rounds)),
   commit: commit(),
   scenes: chosenScenes.map(({ name, title, seeds, measures }) => ({
     name,
