@@ -120,13 +120,13 @@ async function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' 
   const count = Math.round(60 * Math.min(6, scene.seconds))
   if (!warm) {
     // Getting to know an engine takes the compiler half a second's work where many chips meet.
-    warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 500 : 250, job.seed)
+    warmUp(engine, scene, job.settings[0], scene.build(1).length > 4 ? 400 : 200, job.seed)
     for (const setting of job.settings) warmUp(engine, scene, setting, 10, job.seed)
     await compiled()
   }
   // What everyone looks at comes last: by then the compiler has seen most.
   const costs = job.settings.toReversed().map((setting) => {
-    warmUp(engine, scene, setting, 10, job.seed)
+    if (warm) warmUp(engine, scene, setting, 5, job.seed)
     const costs: number[] = []
     const begin = performance.now()
     const passed = () => performance.now() - begin

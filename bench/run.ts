@@ -69,7 +69,7 @@ const enough = 17 * 60_000
 /** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
 const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 200 : 90)
 /** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
-const long = 4e5
+const long = 2e5
 const far = 2
 const timedOnce = (engine: string, cost: number, frames: number, own: number | undefined) =>
   engine !== ours && cost * frames > long && cost > far * (own ?? 0)
@@ -294,10 +294,11 @@ const pourFrames = 240
 type Contestant = { engine: string; setting: Setting }
 const allSizes = quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]
 const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
+// Few chips are swept as scenes of their own; more are poured at a second setting, and slow engines' largest piles not.
 const contestants = (chips: number): Contestant[] =>
   engines.flatMap((engine) => {
-    const few = quick || chips > 1000 || (chips === 1000 && engine.slow)
-    const settings = few ? [engine.settings[0]] : [engine.settings[0], engine.accurate]
+    const two = !quick && (chips === 250 || (chips === 1000 && !engine.slow))
+    const settings = two ? [engine.settings[0], engine.accurate] : [engine.settings[0]]
     return settings.map((setting) => ({ engine: engine.name, setting }))
   })
 const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
@@ -366,7 +367,10 @@ function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: num
   ]
 }
 
-// Errors don't depend on what else the machine does: two at a time, those that take longest first.
+const singles = (kind: 'asleep' | 'allocation') =>
+  engines.map(({ name, settings }) => ({ kind, engine: name, setting: settings[0], chips: 60 }))
+
+// Neither errors nor bytes depend on what else the machine does: two at a time, those that take longest first.
 type ErrorJob = Extract<Job, { kind: 'errors' }>
 const takesLong = (engine: Engine, scene: Scene) =>
   largeSize(scene) > 0 || (engine.slow && /^pour/.test(scene.name)) ? 0 : 1
@@ -387,7 +391,8 @@ let errorJobs: ErrorJob[] = engines
       ...films,
     })),
   )
-await runAll('errors', asTasks(errorJobs), 2)
+const measured = quick || options.scene || options.errors ? [] : singles('allocation')
+await runAll('errors', asTasks([...errorJobs, ...measured]), 2)
 
 // Where all settings together took too long, or one broke down, each has a process of its own.
 const alone = errorJobs.flatMap((job) =>
@@ -455,11 +460,6 @@ async function timeScenes() {
   }
 }
 
-const singles = engines.flatMap((engine) => [
-  { kind: 'asleep' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
-  { kind: 'allocation' as const, engine: engine.name, setting: engine.settings[0], chips: 60 },
-])
-
 /** With the time that is left: how much a pour is at least where fewer chips were slow already. */
 async function timeHopeless() {
   for (const chips of sizes) {
@@ -474,7 +474,7 @@ async function timeHopeless() {
 
 await timing(async () => {
   await timeScenes()
-  if (!quick && !options.scene) await runAll('asleep and allocation', asTasks(singles), 1)
+  if (!quick && !options.scene) await runAll('asleep', asTasks(singles('asleep')), 1)
   if (!quick) await timeHopeless()
 })
 
@@ -559,7 +559,7 @@ const missing: MissingRow[] = engines.flatMap((engine) =>
 )
 
 const single = (kind: 'asleep' | 'allocation') =>
-  Object.fromEntries(singles.filter((job) => job.kind === kind).map((job) => [job.engine, outcomeOf(job)]))
+  Object.fromEntries(singles(kind).map((job) => [job.engine, outcomeOf(job)]))
 
 const results: Results = {
   date: new Date().toISOString(),
