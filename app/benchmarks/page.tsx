@@ -305,7 +305,9 @@ function exception({ scene, measure, cost, error, beaten }: Verdict) {
 
 /** How far the rounds of a cost lie apart, in words; nothing where no cost has a second round. */
 const spreads = (() => {
-  const all = [...results.sceneCosts, ...results.pourCosts]
+  // Where a scene has seeds its rounds differ by more than noise.
+  const seeded = results.scenes.filter(({ seeds }) => seeds > 1).map(({ name }) => name)
+  const all = [...results.sceneCosts.filter(({ scene }) => !seeded.includes(scene)), ...results.pourCosts]
     .flatMap(({ spread, rounds }) => (spread && rounds > 1 ? [spread - 1] : []))
     .toSorted((a, b) => a - b)
   if (all.length === 0) return ''
