@@ -131,7 +131,7 @@ const FOLLOW = 0.03
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
-const GRAB_STRENGTH = 14
+const GRAB_STRENGTH = 12
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
 
@@ -180,11 +180,11 @@ const SIN = 10
 const TURNED = 11
 /** px, way of the farthest point of the core so far, in steps that `tally` noticed, and the pose up to which it counts. */
 const TRAVEL = 12
-const SEEN_X = 13
-const SEEN_Y = 14
-const SEEN_ANGLE = 15
+const SEEN_X = 14
+const SEEN_Y = 15
+const SEEN_ANGLE = 16
 /** px, where that way will stand after the coming sub-step at the present speed. */
-const HORIZON = 16
+const HORIZON = 13
 /** Change of spin that rolling resistance gives in a sub-step. */
 const BRAKE = 17
 const MOTION = 18
@@ -871,9 +871,12 @@ interface Walls {
 function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): void {
   const { state, motion, shape } = bodies
   turn(state, motion, b)
-  const nx = wall === 1 ? 0 : wall === 2 ? 1 : -1
-  const ny = wall === 1 ? -1 : 0
-  const offset = wall === 1 ? -walls.height : wall === 2 ? 0 : -walls.width
+  const floor = wall === 1
+  const left = wall === 2
+  const { width, height } = walls
+  const nx = floor ? 0 : left ? 1 : -1
+  const ny = floor ? -1 : 0
+  const offset = -(floor ? height : left ? 0 : width)
   touch.fill(0, 0, NORMAL_X)
   touch[COUNT] = 0
   touch[NORMAL_X] = nx
@@ -923,50 +926,50 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
  */
 
 // Record of `data`: one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
-const NX = 0
-const NY = 1
+const NX = 6
+const NY = 7
 /** 0: apart, no manifold; 1 or 2 points. */
-const POINTS = 2
+const POINTS = 28
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
-const NA = 3
-const NB = 4
+const NA = 8
+const NB = 9
 /** Accumulated impulse of a sub-step. */
-const LOAD = 5
+const LOAD = 10
 /** px/s at which the gap may close in the sub-step. */
-const CLOSING = 6
+const CLOSING = 11
 /** Inverse effective mass along the normal, and its inverse. */
-const K = 7
-const MASS = 8
+const K = 12
+const MASS = 13
 /** px, gap at the origin of the poses. */
-const BASE = 9
+const BASE = 14
 const SECOND = 7
 /** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
-const K12 = 17
-const INV_DET = 18
+const K12 = 22
+const INV_DET = 23
 /** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
-const TA = 19
-const TB = 20
-const DRAG = 21
-const MASS_T = 22
+const TA = 24
+const TB = 25
+const DRAG = 26
+const MASS_T = 27
 /** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
-const CLEAR = 23
-const FROM_X = 24
-const FROM_Y = 25
-const FROM_A = 26
-const FROM_B = 27
+const CLEAR = 0
+const FROM_X = 1
+const FROM_Y = 2
+const FROM_A = 3
+const FROM_B = 4
 /** Sub-steps a step when the impulses were stored. */
-const RATE = 28
+const RATE = 5
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
-const LAG = 29
+const LAG = 30
 /** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
-const GOAL = 30
-const HIT = 31
-const GOAL_T = 32
-const HIT_T = 33
+const GOAL = 31
+const HIT = 32
+const GOAL_T = 33
+const HIT_T = 34
 /** px/s, last change of a normal velocity. */
-const CHANGE = 34
+const CHANGE = 35
 /** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
-const DUE = 35
+const DUE = 29
 const CONTACT = 40
 
 interface Contacts {
@@ -1137,11 +1140,10 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const loaded = had > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0
-  const torque =
-    had > 0
-      ? d[k + NB] * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + d[k + TB] * d[k + DRAG]
-      : 0
+  const load1 = d[k + LOAD]
+  const load2 = d[k + SECOND + LOAD]
+  const loaded = had > 0 && load1 + load2 > 0
+  const torque = had > 0 ? d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG] : 0
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
@@ -1169,8 +1171,8 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const f2 = count > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
   const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
-  const l1 = loaded ? d[k + LOAD] : 0
-  const l2 = loaded && had > 1 ? d[k + SECOND + LOAD] : 0
+  const l1 = loaded ? load1 : 0
+  const l2 = loaded && had > 1 ? load2 : 0
   const both = l1 + l2
   const half = l1 / 2
   const same = old1 === f1
@@ -1924,6 +1926,22 @@ function prepare(
     }
     close(scene, c)
   }
+  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to, end) : end
+}
+
+/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`, of which `live[from..end)` touch; returns where these now end. */
+function bounce(
+  scene: Scene,
+  impacts: Impacts,
+  list: Int32Array,
+  live: Int32Array,
+  from: number,
+  to: number,
+  end: number,
+): number {
+  const { bodies, contacts, h } = scene
+  const { state: s, shape } = bodies
+  const { data: d, pair } = contacts
   for (let again = 1; impacts.count > 0; again++) {
     resolve(impacts, scene)
     for (let n = 0; n < impacts.bodyCount; n++) {
@@ -1949,7 +1967,7 @@ function prepare(
           Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
           shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
           shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
-        enterAgain(impacts, scene, c, MARGIN + ahead * way)
+        enterAgain(impacts, scene, c, MARGIN + AHEAD * h * way)
         if (d[k + POINTS] > 0) close(scene, c)
       }
       if (d[k + POINTS] > 0) live[end++] = c
@@ -2013,12 +2031,13 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
   const stirred = bodies.stirred
   const lull = round - 1
   let stirs = 0
+  let rows = 0
   for (let i = from; i < to; i++) {
     const c = list[i] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
     if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
-    contacts.rows++
+    rows++
     const k = c * CONTACT
     const k2 = k + SECOND
     const a = bodyA * STATE
@@ -2027,8 +2046,14 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
     const ny = d[k + NY]
     let spinA = s[a + SPIN]
     let spinB = s[b + SPIN]
-    const vx = s[b + VX] - s[a + VX]
-    const vy = s[b + VY] - s[a + VY]
+    const vxA = s[a + VX]
+    const vyA = s[a + VY]
+    const vxB = s[b + VX]
+    const vyB = s[b + VY]
+    const vx = vxB - vxA
+    const vy = vyB - vyA
+    const iia = s[a + INV_INERTIA]
+    const iib = s[b + INV_INERTIA]
     const speed = nx * vx + ny * vy
     const na1 = d[k + NA]
     const nb1 = d[k + NB]
@@ -2045,8 +2070,8 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       if (normal === 0 && load === 0) continue
       change = Math.abs(normal) * d[k + K]
       d[k + LOAD] = load
-      spinA -= s[a + INV_INERTIA] * na1 * normal
-      spinB += s[b + INV_INERTIA] * nb1 * normal
+      spinA -= iia * na1 * normal
+      spinB += iib * nb1 * normal
     } else {
       const na2 = d[k2 + NA]
       const nb2 = d[k2 + NB]
@@ -2088,8 +2113,8 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       p2 -= l2
       normal = p1 + p2
       change = Math.abs(p1) * k11 + Math.abs(p2) * k22
-      spinA -= s[a + INV_INERTIA] * (na1 * p1 + na2 * p2)
-      spinB += s[b + INV_INERTIA] * (nb1 * p1 + nb2 * p2)
+      spinA -= iia * (na1 * p1 + na2 * p2)
+      spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     if (change > tolerance) {
       stirred[bodyA] = round
@@ -2107,20 +2132,21 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
       t -= old
-      spinA -= s[a + INV_INERTIA] * ta * t
-      spinB += s[b + INV_INERTIA] * tb * t
+      spinA -= iia * ta * t
+      spinB += iib * tb * t
     }
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
-    s[a + VX] -= ima * x
-    s[a + VY] -= ima * y
+    s[a + VX] = vxA - ima * x
+    s[a + VY] = vyA - ima * y
     s[a + SPIN] = spinA
-    s[b + VX] += imb * x
-    s[b + VY] += imb * y
+    s[b + VX] = vxB + imb * x
+    s[b + VY] = vyB + imb * y
     s[b + SPIN] = spinB
   }
+  contacts.rows += rows
   return stirs
 }
 
@@ -2150,11 +2176,10 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
     state[s + X] += motion[m + DRIFT_X] + h * dvx
     state[s + Y] += motion[m + DRIFT_Y] + h * dvy
     state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
-    if (
-      Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin) > BALANCE ||
-      Math.abs(pushX) + Math.abs(pushY + gravity * h) > BALANCE
-    )
-      active++
+    // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
+    const speed = Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin)
+    const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
+    if (Math.max(speed, gain) > BALANCE) active++
     capSpeed(state, s)
   }
   return active
@@ -3756,10 +3781,11 @@ function createStage(root: HTMLElement): Stage {
   })
 
   function collect() {
+    const moves = !still.matches
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
-      if (!still.matches) sizes.observe(element)
+      if (moves) sizes.observe(element)
     }
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
@@ -3851,12 +3877,15 @@ function createStage(root: HTMLElement): Stage {
   }
 
   function release(chip: Chip) {
-    const obstacles = []
-    for (const other of chips.values()) {
-      if (other.id < 0) continue
-      const { x, y } = world!.read(other.id)
+    const obstacles: Obstacle[] = []
+    const poses = world!.scene.bodies.state
+    // From the world's own array: to read every chip at every release would leave an object each on the heap.
+    bodies.forEach((other) => {
+      if (other.id < 0) return
+      const x = poses[other.id * STATE + X]!
+      const y = poses[other.id * STATE + Y]!
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
-    }
+    })
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     chip.id = world!.add({ ...chip, ...pose })
     chip.x = Number.NaN
@@ -3976,8 +4005,8 @@ function createStage(root: HTMLElement): Stage {
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
+    if (!still.matches) sizes.observe(root)
     collect()
-    stillChanged()
     listen()
     focus({ target: (root.getRootNode() as Document).activeElement })
   }
@@ -4150,7 +4179,8 @@ function createStage(root: HTMLElement): Stage {
     if (inView && !listening) arm()
     const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    if (listening) sync()
+    // Of a drop that begins at once, the first that shows is that it runs: each state costs every chip its style.
+    if (listening && (world || !started)) sync()
   })
 
   return {

@@ -113,6 +113,6 @@ export const FOLLOW = 0.03
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
-export const GRAB_STRENGTH = 14
+export const GRAB_STRENGTH = 12
 /** px/s, the most a chip keeps when it is let go. */
 export const MAX_TOSS = 1800
