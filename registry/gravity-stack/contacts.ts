@@ -348,9 +348,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     // Over the sub-step the push acts with the arms half way between the old ones and these.
     if (a === 0 && had === count && same) {
       const now =
-        nb1 * d[k + LOAD] +
-        (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) +
-        tb * d[k + DRAG]
+        nb1 * d[k + LOAD] + (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)
