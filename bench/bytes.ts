@@ -2,7 +2,7 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
-import { build } from 'esbuild'
+import { rolldown } from 'rolldown'
 import { root } from './run-job'
 
 export type Bytes = { name: string; minified: number; gzip: number }
@@ -55,35 +55,38 @@ const imports: { name: string; code: string; wasm?: string }[] = [
   },
 ]
 
+/** React is on the page already; Node's own modules are only reached for outside a browser. */
+const elsewhere = /^(react|react-dom|module|fs|path|url|worker_threads)$|^(react\/|node:)/
+
+/** A module of one line, bundled and minified as Vite builds an app. */
+async function minified(code: string) {
+  const entry = join(root, 'entry.tsx')
+  const built = await rolldown({
+    input: entry,
+    platform: 'browser',
+    external: elsewhere,
+    logLevel: 'silent',
+    transform: { define: { 'process.env.NODE_ENV': '"production"' } },
+    plugins: [
+      {
+        name: 'entry',
+        resolveId: (id) => (id === entry ? id : null),
+        load: (id) => (id === entry ? code : null),
+      },
+    ],
+  })
+  const { output } = await built.generate({ format: 'esm', minify: true, codeSplitting: false })
+  return Buffer.from(output[0].code)
+}
+
 export async function engineBytes(): Promise<Bytes[]> {
   const rows: Bytes[] = []
   for (const { name, code, wasm } of imports) {
     if (code.includes('components/ui') && !existsSync(join(root, 'components/ui/gravity-stack.tsx'))) continue
-    const result = await build({
-      stdin: { contents: code, resolveDir: root, loader: 'tsx' },
-      bundle: true,
-      minify: true,
-      write: false,
-      format: 'esm',
-      target: 'es2022',
-      platform: 'browser',
-      jsx: 'automatic',
-      // React is on the page already; Node's own modules are only reached for outside a browser.
-      external: [
-        'react',
-        'react/jsx-runtime',
-        'react-dom',
-        'node:*',
-        'module',
-        'fs',
-        'path',
-        'url',
-        'worker_threads',
-      ],
-      logLevel: 'silent',
-    }).catch((error: Error) => console.error(`${name} is not weighed: ${error.message}`))
-    if (!result) continue
-    const script = result.outputFiles[0].contents
+    const script = await minified(code).catch((error: Error) =>
+      console.error(`${name} is not weighed: ${error.message}`),
+    )
+    if (!script) continue
     const binary = wasm ? readFileSync(wasm) : Buffer.alloc(0)
     rows.push({
       name,
