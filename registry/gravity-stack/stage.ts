@@ -610,8 +610,7 @@ export function createStage(root: HTMLElement): Stage {
     if (inView && !listening) arm()
     const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    // Of a drop that begins at once, the first that shows is that it runs: each state costs every chip its style.
-    if (listening && (world || !started)) sync()
+    if (listening) sync()
   })
 
   return {
