@@ -15,7 +15,6 @@ export default defineConfig({
   use: {
     baseURL: siteUrl,
     launchOptions: { executablePath: findBrowser()?.path },
-    trace: 'retain-on-failure',
   },
   projects: [
     { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: fixturesUrl } },

@@ -24,6 +24,6 @@ export function lateScripts(folder) {
   }
 }
 
-// A hidden tab paints nothing; the timer is for browsers that don't tell when they paint.
+// Words wait for their font, so the first paint may be bare. A hidden tab paints nothing; the timer is for browsers that don't tell when they paint.
 const loader = (scripts) =>
-  `{let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(ask).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`
+  `{let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(seen=>seen.getEntriesByName("first-contentful-paint")[0]&&ask()).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`
