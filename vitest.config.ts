@@ -6,6 +6,7 @@ export default defineConfig({
   test: {
     include: ['**/*.test.{ts,tsx}'],
     testTimeout: 60_000,
+    maxWorkers: 2,
     exclude: [...configDefaults.exclude, 'out/**', '.next/**', 'e2e/**'],
   },
 })
