@@ -178,13 +178,13 @@ const DRIFT_ANGLE = 8
 const COS = 9
 const SIN = 10
 const TURNED = 11
-/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and the pose up to which it counts. */
+/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and where it will stand after the coming sub-step. */
 const TRAVEL = 12
+const HORIZON = 13
+/** The pose up to which that way counts. */
 const SEEN_X = 14
 const SEEN_Y = 15
 const SEEN_ANGLE = 16
-/** px, where that way will stand after the coming sub-step at the present speed. */
-const HORIZON = 13
 /** Change of spin that rolling resistance gives in a sub-step. */
 const BRAKE = 17
 const MOTION = 18
@@ -925,11 +925,18 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
  * The separation is linear in the poses between two measurements: gap = base + n·(x_B − x_A) + arm_B·θ_B − arm_A·θ_A.
  */
 
-// Record of `data`: one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
+// Record of `data`: one manifold, in the order it is read: what asks whether it still serves, then what a sweep needs. Arms are
+// torques of a unit impulse along the normal (N) or the tangent (T).
+/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
+const CLEAR = 0
+const FROM_X = 1
+const FROM_Y = 2
+const FROM_A = 3
+const FROM_B = 4
+/** Sub-steps a step when the impulses were stored. */
+const RATE = 5
 const NX = 6
 const NY = 7
-/** 0: apart, no manifold; 1 or 2 points. */
-const POINTS = 28
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
 const NA = 8
 const NB = 9
@@ -951,14 +958,10 @@ const TA = 24
 const TB = 25
 const DRAG = 26
 const MASS_T = 27
-/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
-const CLEAR = 0
-const FROM_X = 1
-const FROM_Y = 2
-const FROM_A = 3
-const FROM_B = 4
-/** Sub-steps a step when the impulses were stored. */
-const RATE = 5
+/** 0: apart, no manifold; 1 or 2 points. */
+const POINTS = 28
+/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
+const DUE = 29
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 const LAG = 30
 /** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
@@ -968,8 +971,6 @@ const GOAL_T = 33
 const HIT_T = 34
 /** px/s, last change of a normal velocity. */
 const CHANGE = 35
-/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
-const DUE = 29
 const CONTACT = 40
 
 interface Contacts {

@@ -41,13 +41,13 @@ export const DRIFT_ANGLE = 8
 export const COS = 9
 export const SIN = 10
 export const TURNED = 11
-/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and the pose up to which it counts. */
+/** px, way of the farthest point of the core so far, in steps that `tally` noticed, and where it will stand after the coming sub-step. */
 export const TRAVEL = 12
+export const HORIZON = 13
+/** The pose up to which that way counts. */
 export const SEEN_X = 14
 export const SEEN_Y = 15
 export const SEEN_ANGLE = 16
-/** px, where that way will stand after the coming sub-step at the present speed. */
-export const HORIZON = 13
 /** Change of spin that rolling resistance gives in a sub-step. */
 export const BRAKE = 17
 export const MOTION = 18

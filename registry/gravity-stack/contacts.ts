@@ -46,11 +46,18 @@ import {
  * The separation is linear in the poses between two measurements: gap = base + n·(x_B − x_A) + arm_B·θ_B − arm_A·θ_A.
  */
 
-// Record of `data`: one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
+// Record of `data`: one manifold, in the order it is read: what asks whether it still serves, then what a sweep needs. Arms are
+// torques of a unit impulse along the normal (N) or the tangent (T).
+/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
+export const CLEAR = 0
+export const FROM_X = 1
+export const FROM_Y = 2
+export const FROM_A = 3
+export const FROM_B = 4
+/** Sub-steps a step when the impulses were stored. */
+export const RATE = 5
 export const NX = 6
 export const NY = 7
-/** 0: apart, no manifold; 1 or 2 points. */
-export const POINTS = 28
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
 export const NA = 8
 export const NB = 9
@@ -72,14 +79,10 @@ export const TA = 24
 export const TB = 25
 export const DRAG = 26
 export const MASS_T = 27
-/** px, gap when it was measured, or a lower bound of it; relative position and both angles at that time. */
-export const CLEAR = 0
-export const FROM_X = 1
-export const FROM_Y = 2
-export const FROM_A = 3
-export const FROM_B = 4
-/** Sub-steps a step when the impulses were stored. */
-export const RATE = 5
+/** 0: apart, no manifold; 1 or 2 points. */
+export const POINTS = 28
+/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
+export const DUE = 29
 /** rad/s that the warm start of a wall gives body B beside what its arms say: half of what they changed. */
 export const LAG = 30
 /** Impact: wanted velocity along the normal of point 1 (−∞: none) and its impulse, of point 2 `SECOND` places on; of the tangent. */
@@ -89,8 +92,6 @@ export const GOAL_T = 33
 export const HIT_T = 34
 /** px/s, last change of a normal velocity. */
 export const CHANGE = 35
-/** px, sum of both bodies' travel up to which the record surely serves; −∞: to be looked at. */
-export const DUE = 29
 export const CONTACT = 40
 
 export interface Contacts {
