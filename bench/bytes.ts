@@ -2,8 +2,8 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
-import { rolldown } from 'rolldown'
 import { root } from './run-job'
+import { script } from './script'
 
 export type Bytes = { name: string; minified: number; gzip: number }
 
@@ -58,40 +58,20 @@ const imports: { name: string; code: string; wasm?: string }[] = [
 /** React is on the page already; Node's own modules are only reached for outside a browser. */
 const elsewhere = /^(react|react-dom|module|fs|path|url|worker_threads)$|^(react\/|node:)/
 
-/** A module of one line, bundled and minified as Vite builds an app. */
-async function minified(code: string) {
-  const entry = join(root, 'entry.tsx')
-  const built = await rolldown({
-    input: entry,
-    platform: 'browser',
-    external: elsewhere,
-    logLevel: 'silent',
-    transform: { define: { 'process.env.NODE_ENV': '"production"' } },
-    plugins: [
-      {
-        name: 'entry',
-        resolveId: (id) => (id === entry ? id : null),
-        load: (id) => (id === entry ? code : null),
-      },
-    ],
-  })
-  const { output } = await built.generate({ format: 'esm', minify: true, codeSplitting: false })
-  return Buffer.from(output[0].code)
-}
-
 export async function engineBytes(): Promise<Bytes[]> {
   const rows: Bytes[] = []
   for (const { name, code, wasm } of imports) {
     if (code.includes('components/ui') && !existsSync(join(root, 'components/ui/gravity-stack.tsx'))) continue
-    const script = await minified(code).catch((error: Error) =>
-      console.error(`${name} is not weighed: ${error.message}`),
+    const built = await script(code, root, 'esm', { platform: 'browser', external: elsewhere }).catch(
+      (error: Error) => console.error(`${name} is not weighed: ${error.message}`),
     )
-    if (!script) continue
+    if (!built) continue
+    const minified = Buffer.from(built)
     const binary = wasm ? readFileSync(wasm) : Buffer.alloc(0)
     rows.push({
       name,
-      minified: script.length + binary.length,
-      gzip: gzipSync(script, { level: 9 }).length + (wasm ? gzipSync(binary, { level: 9 }).length : 0),
+      minified: minified.length + binary.length,
+      gzip: gzipSync(minified, { level: 9 }).length + (wasm ? gzipSync(binary, { level: 9 }).length : 0),
     })
   }
   return rows

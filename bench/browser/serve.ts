@@ -6,35 +6,12 @@ import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import tailwind from '@tailwindcss/postcss'
 import postcss from 'postcss'
-import { type InputOptions, rolldown } from 'rolldown'
 import { root } from '../run-job'
+import { script } from '../script'
 import type { StageName } from './results'
 
 const here = join(root, 'bench/browser')
 export const stageNames: StageName[] = ['gravity-stack', 'circle-chains', 'matter-js']
-
-/**
- * One script of a module of this folder, as Vite builds an app. Not with esbuild, which turns the constants of a bundle into
- * variables: the compiler then looks every one of them up, and longer code takes longer to get warm.
- */
-async function script(contents: string, format: 'esm' | 'cjs' | 'iife', more: InputOptions = {}) {
-  const entry = join(here, 'entry.tsx')
-  const built = await rolldown({
-    input: entry,
-    logLevel: 'silent',
-    transform: { define: { 'process.env.NODE_ENV': '"production"' } },
-    plugins: [
-      {
-        name: 'entry',
-        resolveId: (id) => (id === entry ? id : null),
-        load: (id) => (id === entry ? contents : null),
-      },
-    ],
-    ...more,
-  })
-  const { output } = await built.generate({ format, minify: true, codeSplitting: false, name: 'observer' })
-  return output[0].code
-}
 
 async function bundle(stage: StageName) {
   const stdin = `import Stage from './${stage}'\n`
@@ -44,16 +21,18 @@ async function bundle(stage: StageName) {
       import { hydrateRoot } from 'react-dom/client'
       const props = JSON.parse(document.getElementById('props').textContent)
       hydrateRoot(document.getElementById('root'), <Stage {...props} />)`,
+      here,
       'esm',
     ),
     script(
       `${stdin}
       import { renderToString } from 'react-dom/server'
       export const render = (props) => renderToString(<Stage {...props} />)`,
+      here,
       'cjs',
       { platform: 'node' },
     ),
-    script(`${stdin}export default Stage`, 'esm', { external: ['react', 'react/jsx-runtime', 'cn'] }),
+    script(`${stdin}export default Stage`, here, 'esm', { external: ['react', 'react/jsx-runtime', 'cn'] }),
   ])
   const module = { exports: {} as { render: (props: object) => string } }
   const require = createRequire(import.meta.url)
@@ -71,7 +50,7 @@ export async function serve() {
   const bundles = Object.fromEntries(
     await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
   )
-  const observing = await script(`export { observe } from './observe'`, 'iife')
+  const observing = await script(`export { observe } from './observe'`, here, 'iife')
   const styles = await postcss([tailwind()]).process(css, { from: join(here, 'page.css') })
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? '/', 'http://localhost')
