@@ -201,40 +201,31 @@ const CORE = 4
 const INV_CORE2 = 5
 const SHAPE = 6
 
-interface Bodies {
+/**
+ * A class, as all that the solver reads at every contact: V8 forgets what it knows of the fields of an object written out in
+ * braces when it makes the second one, and throws all code away that was compiled for the first.
+ */
+class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
-  count: number
-  state: Float64Array
-  motion: Float64Array
-  shape: Float64Array
+  count = 1
+  state: Float64Array = new Float64Array(STATE)
+  motion: Float64Array = new Float64Array(MOTION)
+  shape: Float64Array = new Float64Array(SHAPE)
   /** Pose at the start of the step (x, y, angle), for drawing between steps. */
-  before: Float64Array
+  before: Float64Array = new Float64Array(3)
   /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
-  rest: Float64Array
+  rest: Float64Array = new Float64Array(4)
   /** 1 while the slot holds a body. */
-  alive: Uint8Array
-  asleep: Uint8Array
+  alive: Uint8Array = new Uint8Array(1)
+  asleep: Uint8Array = new Uint8Array(1)
   /** Number of the last sweep that changed the body's velocity. */
-  stirred: Int32Array
+  stirred: Int32Array = new Int32Array(1)
   /** 1 if the body had moved noticeably when `tally` last looked. */
-  moved: Uint8Array
-}
+  moved: Uint8Array = new Uint8Array(1)
 
-function createBodies(): Bodies {
-  const bodies: Bodies = {
-    count: 1,
-    state: new Float64Array(STATE),
-    motion: new Float64Array(MOTION),
-    shape: new Float64Array(SHAPE),
-    before: new Float64Array(3),
-    rest: new Float64Array(4),
-    alive: new Uint8Array(1),
-    asleep: new Uint8Array(1),
-    stirred: new Int32Array(1),
-    moved: new Uint8Array(1),
+  constructor() {
+    this.motion[COS] = 1
   }
-  bodies.motion[COS] = 1
-  return bodies
 }
 
 /** Copies `from` into a new array of `length`. */
@@ -603,7 +594,7 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     // Along the reference, the other segment reaches from mid − half to mid + half.
     const mid = (rx * ox + ry * oy) * inverse
     const half = (rx * ix + ry * iy) * inverse
-    const size = half > 0 ? half : -half
+    const size = Math.abs(half)
     const way = half > 0 ? 1 : -1
     const own = onA ? 0 : 4
     const other = 4 - own
@@ -973,61 +964,44 @@ const HIT_T = 34
 const CHANGE = 35
 const CONTACT = 40
 
-interface Contacts {
+class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
-  count: number
-  free: number
+  count = 0
+  free = -1
   /** Body A and body B of each slot; A is 0 for a wall, B is 0 for a free slot. */
-  pair: Int32Array
+  pair: Int32Array = new Int32Array(0)
   /** Features of both points. */
-  feature: Int32Array
+  feature: Int32Array = new Int32Array(0)
   /** 0 for two chips; 1 floor, 2 left wall, 3 right wall. */
-  wall: Uint8Array
-  data: Float64Array
+  wall: Uint8Array = new Uint8Array(0)
+  data: Float64Array = new Float64Array(0)
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
-  head: Int32Array
-  next: Int32Array
-  last: Int32Array
+  head: Int32Array = new Int32Array(0)
+  next: Int32Array = new Int32Array(0)
+  last: Int32Array = new Int32Array(0)
   /** Number of the impact phase in which the contact was taken up. */
-  mark: Int32Array
+  mark: Int32Array = new Int32Array(0)
   /** Pairs measured since the count was last set to 0. */
-  measured: number
+  measured = 0
   /** Rows visited by sweeps. */
-  rows: number
+  rows = 0
 }
 
-/** What a world is made of, and what it is like there. */
-interface Scene {
-  bodies: Bodies
-  contacts: Contacts
-  walls: Walls
+/** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
+class Scene {
+  bodies = new Bodies()
+  contacts = new Contacts()
+  walls: Walls = { width: 0.5, height: 0.5 }
   /** px/s² downwards. */
-  gravity: number
-  bounce: number
-  friction: number
+  gravity = 0.5
+  bounce = 0.5
+  friction = 0.5
   /** px/s of approach below which nothing bounces. */
-  threshold: number
+  threshold = 0.5
   /** s, length of a sub-step. */
-  h: number
+  h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
-  tolerance: number
-}
-
-function createContacts(): Contacts {
-  return {
-    count: 0,
-    free: -1,
-    pair: new Int32Array(0),
-    feature: new Int32Array(0),
-    wall: new Uint8Array(0),
-    data: new Float64Array(0),
-    head: new Int32Array(0),
-    next: new Int32Array(0),
-    last: new Int32Array(0),
-    mark: new Int32Array(0),
-    measured: 0,
-    rows: 0,
-  }
+  tolerance = 0.5
 }
 
 function reserveHeads(contacts: Contacts, bodies: number): void {
@@ -1227,8 +1201,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
     if (a === 0 && had === count && same) {
-      const now =
-        nb1 * d[k + LOAD] + (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) + tb * d[k + DRAG]
+      const now = nb1 * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)
@@ -1286,29 +1259,18 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
  * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
  * leaves its box; at rest that is never.
  */
-interface Pairs {
+class Pairs {
   /** Left, top, right, bottom of each body's enlarged box, px. */
-  box: Float64Array
+  box: Float64Array = new Float64Array(0)
   /** Bodies by the left edge of their box. */
-  order: Int32Array
-  sorted: number
+  order: Int32Array = new Int32Array(0)
+  sorted = 0
   /** 1 for a body that left its box in this step. */
-  moved: Uint8Array
+  moved: Uint8Array = new Uint8Array(0)
   /** Last body for which this one was marked as a partner. */
-  partner: Int32Array
+  partner: Int32Array = new Int32Array(0)
   /** Contact with each wall (floor, left, right) of each body, -1 without. */
-  wallContact: Int32Array
-}
-
-function createPairs(): Pairs {
-  return {
-    box: new Float64Array(0),
-    order: new Int32Array(0),
-    sorted: 0,
-    moved: new Uint8Array(0),
-    partner: new Int32Array(0),
-    wallContact: new Int32Array(0),
-  }
+  wallContact: Int32Array = new Int32Array(0)
 }
 
 function reservePairs(pairs: Pairs, bodies: number): void {
@@ -1341,10 +1303,8 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const { state, motion, shape } = bodies
   turn(state, motion, i)
   const s = i * STATE
-  let c = motion[i * MOTION + COS]
-  let n = motion[i * MOTION + SIN]
-  if (c < 0) c = -c
-  if (n < 0) n = -n
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]
@@ -1461,43 +1421,25 @@ function overlap(box: Float64Array, i: number, j: number): boolean {
  * Bounces, each at its time inside the sub-step: the velocity changes at the start of it, and the pose goes back by
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
-interface Impacts {
+class Impacts {
   /** Contacts of the cluster under way. */
-  list: Int32Array
-  count: number
+  list: Int32Array = new Int32Array(64)
+  count = 0
   /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
-  bodies: Int32Array
-  bodyCount: number
-  before: Float64Array
-  when: Float64Array
+  bodies: Int32Array = new Int32Array(0)
+  bodyCount = 0
+  before: Float64Array = new Float64Array(0)
+  when: Float64Array = new Float64Array(0)
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
-  first: number
-  since: Float64Array
+  first = 0
+  since: Float64Array = new Float64Array(0)
   /** Number of the phase that last reached each body. */
-  mark: Int32Array
-  phase: number
-  sweeps: number
+  mark: Int32Array = new Int32Array(0)
+  phase = 0
+  sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
-  fastest: number
-  passOn: number
-}
-
-function createImpacts(): Impacts {
-  return {
-    list: new Int32Array(64),
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyCount: 0,
-    before: new Float64Array(0),
-    when: new Float64Array(0),
-    first: 0,
-    since: new Float64Array(0),
-    mark: new Int32Array(0),
-    phase: 0,
-    sweeps: 0,
-    fastest: 0,
-    passOn: 0,
-  }
+  fastest = 0
+  passOn = 0
 }
 
 function reserveImpacts(impacts: Impacts, bodies: number): void {
@@ -1873,7 +1815,7 @@ function prepare(
     const ma = bodyA * MOTION
     const mb = bodyB * MOTION
     if (touching) {
-      if (moved[bodyA] + moved[bodyB] === 0 && d[k + DUE] > -Infinity) {
+      if (d[k + DUE] > -Infinity && moved[bodyA] + moved[bodyB] === 0) {
         live[end++] = c
         continue
       }
@@ -1914,10 +1856,9 @@ function prepare(
     if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
       // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
       const speed = d[k + NX] * vx + d[k + NY] * vy + enough
-      if (
-        speed + d[k + NB] * spinB - d[k + NA] * spinA < 0 ||
-        (d[k + POINTS] > 1 && speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA < 0)
-      ) {
+      const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
+      const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
+      if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
         enterImpact(impacts, scene, c)
         if (d[k + POINTS] === 0) {
           end--
@@ -2281,7 +2222,6 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
   const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
   const x = Math.min(Math.max(state[s + X], ex), right)
   const y = Math.min(state[s + Y], walls.height - ey)
-  if (x === state[s + X] && y === state[s + Y]) return
   state[s + X] = x
   state[s + Y] = y
 }
@@ -2324,39 +2264,23 @@ function straighten(
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
  * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
  */
-interface Islands {
-  parent: Int32Array
+class Islands {
+  parent: Int32Array = new Int32Array(0)
   /** px by which the fastest approach in an island may close a gap within the step. */
-  reach: Float64Array
+  reach: Float64Array = new Float64Array(0)
   /** Contacts that matter in this step. */
-  near: Int32Array
-  nearCount: number
+  near: Int32Array = new Int32Array(0)
+  nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
-  count: number
-  bodies: Int32Array
-  bodyStart: Int32Array
-  contacts: Int32Array
+  count = 0
+  bodies: Int32Array = new Int32Array(0)
+  bodyStart: Int32Array = new Int32Array(0)
+  contacts: Int32Array = new Int32Array(0)
   /** The same, only those that touch in the present sub-step. */
-  live: Int32Array
-  contactStart: Int32Array
+  live: Int32Array = new Int32Array(0)
+  contactStart: Int32Array = new Int32Array(0)
   /** Number of the island by root. */
-  number: Int32Array
-}
-
-function createIslands(): Islands {
-  return {
-    parent: new Int32Array(0),
-    reach: new Float64Array(0),
-    near: new Int32Array(0),
-    nearCount: 0,
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyStart: new Int32Array(0),
-    contacts: new Int32Array(0),
-    live: new Int32Array(0),
-    contactStart: new Int32Array(0),
-    number: new Int32Array(0),
-  }
+  number: Int32Array = new Int32Array(0)
 }
 
 function reserveIslands(islands: Islands, bodies: number): void {
@@ -2885,26 +2809,22 @@ type World = ReturnType<typeof createWorld>
  * Values that are not finite are taken as 0 (sizes as 1 px), so that nothing is ever lost.
  */
 function createWorld(options: WorldOptions) {
-  const bodies = createBodies()
-  const contacts = createContacts()
-  const pairs = createPairs()
-  const islands = createIslands()
-  const impacts = createImpacts()
-  const walls = { width: size(options.width), height: size(options.height) }
+  const scene = new Scene()
+  const { bodies, contacts, walls } = scene
+  const pairs = new Pairs()
+  const islands = new Islands()
+  const impacts = new Impacts()
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const h = STEP / substeps
   const ahead = AHEAD * h
-  const scene = {
-    h,
-    tolerance: TOLERANCE_LEAST,
-    bodies,
-    contacts,
-    walls,
-    gravity: within(options.gravity, -1e5, 1e5, GRAVITY),
-    bounce: within(options.bounce, 0, 1, BOUNCE),
-    friction: within(options.friction, 0, 100, FRICTION),
-    threshold: within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD),
-  }
+  walls.width = size(options.width)
+  walls.height = size(options.height)
+  scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
+  scene.bounce = within(options.bounce, 0, 1, BOUNCE)
+  scene.friction = within(options.friction, 0, 100, FRICTION)
+  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
+  scene.h = h
+  const sleeps = options.sleep !== false
   const damping = within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING)
   const spinDamping = within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING)
   const airs = new Map<number, { linear: Air; spin: Air }>()
@@ -3052,7 +2972,7 @@ function createWorld(options: WorldOptions) {
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
-    if (options.sleep !== false) awakeCount = rest(islands, scene, held, awake, awakeCount)
+    if (sleeps) awakeCount = rest(islands, scene, held, awake, awakeCount)
   }
 
   /** A body alone in the air: the whole step in closed form. */

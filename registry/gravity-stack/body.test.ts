@@ -4,8 +4,8 @@ import { seeded } from '../../scenes/seeded'
 import {
   ANGLE,
   air,
+  Bodies,
   COS,
-  createBodies,
   INV_INERTIA,
   INV_MASS,
   MAX_DAMPING,
@@ -22,7 +22,7 @@ import { STEP } from './constants'
 
 /** Area and second moment as the solver has them, for density 1. */
 function weigh(width: number, height: number, radius: number, density = 1) {
-  const bodies = createBodies()
+  const bodies = new Bodies()
   reserveBodies(bodies, 2)
   setShape(bodies, 1, width, height, radius, density)
   return { mass: 1 / bodies.state[STATE + INV_MASS], inertia: 1 / bodies.state[STATE + INV_INERTIA] }
@@ -97,7 +97,7 @@ describe('mass and inertia', () => {
 
 describe('orient', () => {
   it('is cosine and sine to 1e-15 all the way round', () => {
-    const { state, motion } = createBodies()
+    const { state, motion } = new Bodies()
     let worst = 0
     for (let i = 0; i <= 100_000; i++) {
       const angle = -Math.PI + (2 * Math.PI * i) / 100_000
@@ -113,7 +113,7 @@ describe('orient', () => {
   })
 
   it('loses no more than the angle itself has lost after hundreds of turns', () => {
-    const { state, motion } = createBodies()
+    const { state, motion } = new Bodies()
     const random = seeded(2)
     for (let i = 0; i < 10_000; i++) {
       const angle = 4000 * (random() - 0.5)
@@ -128,7 +128,7 @@ describe('orient', () => {
 
 describe('turn', () => {
   it.each([60, 240, 480])('is 6e-9 rad off at most after a second at 20 rad/s in %i steps', (steps) => {
-    const bodies = createBodies()
+    const bodies = new Bodies()
     reserveBodies(bodies, 2)
     setPose(bodies, 1, 0, 0, 0.7)
     for (let k = 1; k <= steps; k++) {
@@ -141,7 +141,7 @@ describe('turn', () => {
   })
 
   it('keeps the length of the heading through a million turns', () => {
-    const bodies = createBodies()
+    const bodies = new Bodies()
     reserveBodies(bodies, 2)
     setPose(bodies, 1, 0, 0, 0)
     for (let k = 1; k <= 1e6; k++) {
@@ -152,7 +152,7 @@ describe('turn', () => {
   })
 
   it('takes leaps of any size', () => {
-    const bodies = createBodies()
+    const bodies = new Bodies()
     reserveBodies(bodies, 2)
     setPose(bodies, 1, 0, 0, 0)
     for (const angle of [0.31, 3, -9, 100, 100 + 1e-9]) {

@@ -64,40 +64,31 @@ export const CORE = 4
 export const INV_CORE2 = 5
 export const SHAPE = 6
 
-export interface Bodies {
+/**
+ * A class, as all that the solver reads at every contact: V8 forgets what it knows of the fields of an object written out in
+ * braces when it makes the second one, and throws all code away that was compiled for the first.
+ */
+export class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
-  count: number
-  state: Float64Array
-  motion: Float64Array
-  shape: Float64Array
+  count = 1
+  state: Float64Array = new Float64Array(STATE)
+  motion: Float64Array = new Float64Array(MOTION)
+  shape: Float64Array = new Float64Array(SHAPE)
   /** Pose at the start of the step (x, y, angle), for drawing between steps. */
-  before: Float64Array
+  before: Float64Array = new Float64Array(3)
   /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
-  rest: Float64Array
+  rest: Float64Array = new Float64Array(4)
   /** 1 while the slot holds a body. */
-  alive: Uint8Array
-  asleep: Uint8Array
+  alive: Uint8Array = new Uint8Array(1)
+  asleep: Uint8Array = new Uint8Array(1)
   /** Number of the last sweep that changed the body's velocity. */
-  stirred: Int32Array
+  stirred: Int32Array = new Int32Array(1)
   /** 1 if the body had moved noticeably when `tally` last looked. */
-  moved: Uint8Array
-}
+  moved: Uint8Array = new Uint8Array(1)
 
-export function createBodies(): Bodies {
-  const bodies: Bodies = {
-    count: 1,
-    state: new Float64Array(STATE),
-    motion: new Float64Array(MOTION),
-    shape: new Float64Array(SHAPE),
-    before: new Float64Array(3),
-    rest: new Float64Array(4),
-    alive: new Uint8Array(1),
-    asleep: new Uint8Array(1),
-    stirred: new Int32Array(1),
-    moved: new Uint8Array(1),
+  constructor() {
+    this.motion[COS] = 1
   }
-  bodies.motion[COS] = 1
-  return bodies
 }
 
 /** Copies `from` into a new array of `length`. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { chipDistance, cornerRadius, type Pose, type Shape, stageDistance } from '../../scenes/exact-distance'
 import { seeded } from '../../scenes/seeded'
-import { createBodies, reserveBodies, setPose, setShape } from './body'
+import { Bodies, reserveBodies, setPose, setShape } from './body'
 import {
   AX,
   AY,
@@ -19,7 +19,7 @@ import {
   WIDEST,
 } from './collide'
 
-const bodies = createBodies()
+const bodies = new Bodies()
 reserveBodies(bodies, 3)
 
 function put(i: number, shape: Shape, pose: Pose) {

@@ -176,7 +176,7 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     // Along the reference, the other segment reaches from mid − half to mid + half.
     const mid = (rx * ox + ry * oy) * inverse
     const half = (rx * ix + ry * iy) * inverse
-    const size = half > 0 ? half : -half
+    const size = Math.abs(half)
     const way = half > 0 ? 1 : -1
     const own = onA ? 0 : 4
     const other = 4 - own

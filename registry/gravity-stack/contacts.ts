@@ -1,6 +1,6 @@
 import {
   ANGLE,
-  type Bodies,
+  Bodies,
   CORE,
   grown,
   INDEX,
@@ -94,61 +94,44 @@ export const HIT_T = 34
 export const CHANGE = 35
 export const CONTACT = 40
 
-export interface Contacts {
+export class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
-  count: number
-  free: number
+  count = 0
+  free = -1
   /** Body A and body B of each slot; A is 0 for a wall, B is 0 for a free slot. */
-  pair: Int32Array
+  pair: Int32Array = new Int32Array(0)
   /** Features of both points. */
-  feature: Int32Array
+  feature: Int32Array = new Int32Array(0)
   /** 0 for two chips; 1 floor, 2 left wall, 3 right wall. */
-  wall: Uint8Array
-  data: Float64Array
+  wall: Uint8Array = new Uint8Array(0)
+  data: Float64Array = new Float64Array(0)
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
-  head: Int32Array
-  next: Int32Array
-  last: Int32Array
+  head: Int32Array = new Int32Array(0)
+  next: Int32Array = new Int32Array(0)
+  last: Int32Array = new Int32Array(0)
   /** Number of the impact phase in which the contact was taken up. */
-  mark: Int32Array
+  mark: Int32Array = new Int32Array(0)
   /** Pairs measured since the count was last set to 0. */
-  measured: number
+  measured = 0
   /** Rows visited by sweeps. */
-  rows: number
+  rows = 0
 }
 
-/** What a world is made of, and what it is like there. */
-export interface Scene {
-  bodies: Bodies
-  contacts: Contacts
-  walls: Walls
+/** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
+export class Scene {
+  bodies = new Bodies()
+  contacts = new Contacts()
+  walls: Walls = { width: 0.5, height: 0.5 }
   /** px/s² downwards. */
-  gravity: number
-  bounce: number
-  friction: number
+  gravity = 0.5
+  bounce = 0.5
+  friction = 0.5
   /** px/s of approach below which nothing bounces. */
-  threshold: number
+  threshold = 0.5
   /** s, length of a sub-step. */
-  h: number
+  h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
-  tolerance: number
-}
-
-export function createContacts(): Contacts {
-  return {
-    count: 0,
-    free: -1,
-    pair: new Int32Array(0),
-    feature: new Int32Array(0),
-    wall: new Uint8Array(0),
-    data: new Float64Array(0),
-    head: new Int32Array(0),
-    next: new Int32Array(0),
-    last: new Int32Array(0),
-    mark: new Int32Array(0),
-    measured: 0,
-    rows: 0,
-  }
+  tolerance = 0.5
 }
 
 export function reserveHeads(contacts: Contacts, bodies: number): void {
@@ -348,8 +331,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   if (loaded) {
     // Over the sub-step the push acts with the arms half way between the old ones and these.
     if (a === 0 && had === count && same) {
-      const now =
-        nb1 * d[k + LOAD] + (count > 1 ? d[k + SECOND + NB] * d[k + SECOND + LOAD] : 0) + tb * d[k + DRAG]
+      const now = nb1 * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
     carry(bodies, contacts, c, 1)

@@ -49,43 +49,25 @@ import {
  * Bounces, each at its time inside the sub-step: the velocity changes at the start of it, and the pose goes back by
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
-export interface Impacts {
+export class Impacts {
   /** Contacts of the cluster under way. */
-  list: Int32Array
-  count: number
+  list: Int32Array = new Int32Array(64)
+  count = 0
   /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
-  bodies: Int32Array
-  bodyCount: number
-  before: Float64Array
-  when: Float64Array
+  bodies: Int32Array = new Int32Array(0)
+  bodyCount = 0
+  before: Float64Array = new Float64Array(0)
+  when: Float64Array = new Float64Array(0)
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
-  first: number
-  since: Float64Array
+  first = 0
+  since: Float64Array = new Float64Array(0)
   /** Number of the phase that last reached each body. */
-  mark: Int32Array
-  phase: number
-  sweeps: number
+  mark: Int32Array = new Int32Array(0)
+  phase = 0
+  sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
-  fastest: number
-  passOn: number
-}
-
-export function createImpacts(): Impacts {
-  return {
-    list: new Int32Array(64),
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyCount: 0,
-    before: new Float64Array(0),
-    when: new Float64Array(0),
-    first: 0,
-    since: new Float64Array(0),
-    mark: new Int32Array(0),
-    phase: 0,
-    sweeps: 0,
-    fastest: 0,
-    passOn: 0,
-  }
+  fastest = 0
+  passOn = 0
 }
 
 export function reserveImpacts(impacts: Impacts, bodies: number): void {

@@ -21,39 +21,23 @@ import { straighten } from './solver'
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
  * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
  */
-export interface Islands {
-  parent: Int32Array
+export class Islands {
+  parent: Int32Array = new Int32Array(0)
   /** px by which the fastest approach in an island may close a gap within the step. */
-  reach: Float64Array
+  reach: Float64Array = new Float64Array(0)
   /** Contacts that matter in this step. */
-  near: Int32Array
-  nearCount: number
+  near: Int32Array = new Int32Array(0)
+  nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
-  count: number
-  bodies: Int32Array
-  bodyStart: Int32Array
-  contacts: Int32Array
+  count = 0
+  bodies: Int32Array = new Int32Array(0)
+  bodyStart: Int32Array = new Int32Array(0)
+  contacts: Int32Array = new Int32Array(0)
   /** The same, only those that touch in the present sub-step. */
-  live: Int32Array
-  contactStart: Int32Array
+  live: Int32Array = new Int32Array(0)
+  contactStart: Int32Array = new Int32Array(0)
   /** Number of the island by root. */
-  number: Int32Array
-}
-
-export function createIslands(): Islands {
-  return {
-    parent: new Int32Array(0),
-    reach: new Float64Array(0),
-    near: new Int32Array(0),
-    nearCount: 0,
-    count: 0,
-    bodies: new Int32Array(0),
-    bodyStart: new Int32Array(0),
-    contacts: new Int32Array(0),
-    live: new Int32Array(0),
-    contactStart: new Int32Array(0),
-    number: new Int32Array(0),
-  }
+  number: Int32Array = new Int32Array(0)
 }
 
 export function reserveIslands(islands: Islands, bodies: number): void {

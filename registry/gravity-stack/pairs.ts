@@ -26,29 +26,18 @@ import { addContact, type Contacts, removeContact } from './contacts'
  * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
  * leaves its box; at rest that is never.
  */
-export interface Pairs {
+export class Pairs {
   /** Left, top, right, bottom of each body's enlarged box, px. */
-  box: Float64Array
+  box: Float64Array = new Float64Array(0)
   /** Bodies by the left edge of their box. */
-  order: Int32Array
-  sorted: number
+  order: Int32Array = new Int32Array(0)
+  sorted = 0
   /** 1 for a body that left its box in this step. */
-  moved: Uint8Array
+  moved: Uint8Array = new Uint8Array(0)
   /** Last body for which this one was marked as a partner. */
-  partner: Int32Array
+  partner: Int32Array = new Int32Array(0)
   /** Contact with each wall (floor, left, right) of each body, -1 without. */
-  wallContact: Int32Array
-}
-
-export function createPairs(): Pairs {
-  return {
-    box: new Float64Array(0),
-    order: new Int32Array(0),
-    sorted: 0,
-    moved: new Uint8Array(0),
-    partner: new Int32Array(0),
-    wallContact: new Int32Array(0),
-  }
+  wallContact: Int32Array = new Int32Array(0)
 }
 
 export function reservePairs(pairs: Pairs, bodies: number): void {
@@ -81,10 +70,8 @@ function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
   const { state, motion, shape } = bodies
   turn(state, motion, i)
   const s = i * STATE
-  let c = motion[i * MOTION + COS]
-  let n = motion[i * MOTION + SIN]
-  if (c < 0) c = -c
-  if (n < 0) n = -n
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]

@@ -171,7 +171,7 @@ export function prepare(
     const ma = bodyA * MOTION
     const mb = bodyB * MOTION
     if (touching) {
-      if (moved[bodyA] + moved[bodyB] === 0 && d[k + DUE] > -Infinity) {
+      if (d[k + DUE] > -Infinity && moved[bodyA] + moved[bodyB] === 0) {
         live[end++] = c
         continue
       }
@@ -212,10 +212,9 @@ export function prepare(
     if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
       // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
       const speed = d[k + NX] * vx + d[k + NY] * vy + enough
-      if (
-        speed + d[k + NB] * spinB - d[k + NA] * spinA < 0 ||
-        (d[k + POINTS] > 1 && speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA < 0)
-      ) {
+      const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
+      const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
+      if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
         enterImpact(impacts, scene, c)
         if (d[k + POINTS] === 0) {
           end--
@@ -579,7 +578,6 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
   const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
   const x = Math.min(Math.max(state[s + X], ex), right)
   const y = Math.min(state[s + Y], walls.height - ey)
-  if (x === state[s + X] && y === state[s + Y]) return
   state[s + X] = x
   state[s + Y] = y
 }

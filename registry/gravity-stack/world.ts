@@ -2,7 +2,6 @@ import {
   type Air,
   ANGLE,
   air,
-  createBodies,
   EXTENT,
   grown,
   INV_INERTIA,
@@ -58,7 +57,6 @@ import {
   CLEAR,
   CONTACT,
   carry,
-  createContacts,
   DRAG,
   DUE,
   gapBound,
@@ -69,12 +67,13 @@ import {
   probe,
   RATE,
   reserveHeads,
+  Scene,
   SECOND,
 } from './contacts'
 import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, throwVelocity } from './grab'
-import { clearImpacts, createImpacts, reserveImpacts } from './impacts'
-import { createIslands, find, findIslands, reserveIslands, rest } from './islands'
-import { createPairs, enterPairs, leavePairs, reservePairs, updatePairs } from './pairs'
+import { clearImpacts, Impacts, reserveImpacts } from './impacts'
+import { find, findIslands, Islands, reserveIslands, rest } from './islands'
+import { enterPairs, leavePairs, Pairs, reservePairs, updatePairs } from './pairs'
 import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
 
 export interface WorldOptions {
@@ -157,26 +156,22 @@ export type World = ReturnType<typeof createWorld>
  * Values that are not finite are taken as 0 (sizes as 1 px), so that nothing is ever lost.
  */
 export function createWorld(options: WorldOptions) {
-  const bodies = createBodies()
-  const contacts = createContacts()
-  const pairs = createPairs()
-  const islands = createIslands()
-  const impacts = createImpacts()
-  const walls = { width: size(options.width), height: size(options.height) }
+  const scene = new Scene()
+  const { bodies, contacts, walls } = scene
+  const pairs = new Pairs()
+  const islands = new Islands()
+  const impacts = new Impacts()
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const h = STEP / substeps
   const ahead = AHEAD * h
-  const scene = {
-    h,
-    tolerance: TOLERANCE_LEAST,
-    bodies,
-    contacts,
-    walls,
-    gravity: within(options.gravity, -1e5, 1e5, GRAVITY),
-    bounce: within(options.bounce, 0, 1, BOUNCE),
-    friction: within(options.friction, 0, 100, FRICTION),
-    threshold: within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD),
-  }
+  walls.width = size(options.width)
+  walls.height = size(options.height)
+  scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
+  scene.bounce = within(options.bounce, 0, 1, BOUNCE)
+  scene.friction = within(options.friction, 0, 100, FRICTION)
+  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
+  scene.h = h
+  const sleeps = options.sleep !== false
   const damping = within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING)
   const spinDamping = within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING)
   const airs = new Map<number, { linear: Air; spin: Air }>()
@@ -324,7 +319,7 @@ export function createWorld(options: WorldOptions) {
     stats.steps++
     stats.islands = islands.count
     stats.awake = awakeCount
-    if (options.sleep !== false) awakeCount = rest(islands, scene, held, awake, awakeCount)
+    if (sleeps) awakeCount = rest(islands, scene, held, awake, awakeCount)
   }
 
   /** A body alone in the air: the whole step in closed form. */
