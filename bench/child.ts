@@ -93,6 +93,8 @@ let warm = false
 async function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Promise<Cost | AtLeast> {
   const scene = pourScene(job.chips, job.shape)
   if (!warm) {
+    // Whole pours, so that all of the code is known: of a few chips first, as a large one may take longer than there is time.
+    if (job.chips > 60) warmUp(engine, pourScene(60, job.shape), job.setting, job.warmUp, 101)
     warmUp(engine, scene, job.setting, job.warmUp, 101)
     await compiled()
   }

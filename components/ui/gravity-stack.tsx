@@ -105,12 +105,11 @@ const SKIN = 8
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
 const IMPACT_SHARE = 0.05
-/**
- * Restitution from which a second hit inside a sub-step bounces as well, in as many rounds, and from which a step is held to the
- * energy that it began with.
- */
-const LIVELY_BOUNCE = 0.5
+/** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
+const IMPACT_ROUNDS_DULL = 2
 const IMPACT_ROUNDS = 6
+/** Restitution from which that is so, and from which a step is held to the energy that it began with. */
+const LIVELY_BOUNCE = 0.5
 /** Most sweeps over one cluster of impacts. */
 const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
@@ -131,7 +130,9 @@ const FOLLOW = 0.03
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
-const GRAB_STRENGTH = 12
+const GRAB_STRENGTH = 14
+/** px, a little more than a chip that merely hangs there lags behind the pointer. */
+const GRAB_SAG = 4
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
 
@@ -1195,6 +1196,12 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
+  if (a > 0) {
+    // Friction acts midway between the two surfaces: across a gap it would turn what it pushes.
+    const half = (touch[GAP] + touch[count > 1 ? POINT + GAP : GAP]) / 4
+    ta += half
+    tb -= half
+  }
   d[k + TA] = ta
   d[k + TB] = tb
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)
@@ -1868,10 +1875,10 @@ function prepare(
     }
     close(scene, c)
   }
-  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to, end) : end
+  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to) : end
 }
 
-/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`, of which `live[from..end)` touch; returns where these now end. */
+/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`; lists those that now touch in `live` and returns where they end. */
 function bounce(
   scene: Scene,
   impacts: Impacts,
@@ -1879,43 +1886,45 @@ function bounce(
   live: Int32Array,
   from: number,
   to: number,
-  end: number,
 ): number {
-  const { bodies, contacts, h } = scene
-  const { state: s, shape } = bodies
+  const { bodies, contacts } = scene
   const { data: d, pair } = contacts
-  for (let again = 1; impacts.count > 0; again++) {
+  const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
+  for (let again = 1; ; again++) {
     resolve(impacts, scene)
-    for (let n = 0; n < impacts.bodyCount; n++) {
-      for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-        // A sleeper stays where it is: nothing would keep it inside, nor wake what lies on it.
-        if (d[(edge >> 1) * CONTACT + POINTS] > 0 && bodies.asleep[pair[edge ^ 1]] === 0)
-          close(scene, edge >> 1)
-      }
-    }
-    // What an impact sends off may hit another within the same sub-step; dull chips would lose that bounce anyway.
-    if (scene.bounce < LIVELY_BOUNCE || again === IMPACT_ROUNDS) break
     const { mark, phase } = impacts
-    clearImpacts(impacts)
-    end = from
+    const last = again === rounds
+    if (!last) clearImpacts(impacts)
+    let end = from
     for (let n = from; n < to; n++) {
       const c = list[n]
       const k = c * CONTACT
       const a = pair[2 * c]
       const b = pair[2 * c + 1]
-      if ((mark[a] === phase || mark[b] === phase) && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
-        const way =
-          Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
-          Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
-          shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
-          shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
-        enterAgain(impacts, scene, c, MARGIN + AHEAD * h * way)
+      if (mark[a] === phase || mark[b] === phase) {
+        // What an impact sends off, or stops, may hit another within the same sub-step.
+        if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+          const near = nearing(scene, c)
+          if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
+        }
         if (d[k + POINTS] > 0) close(scene, c)
       }
       if (d[k + POINTS] > 0) live[end++] = c
     }
+    if (last || impacts.count === 0) return end
   }
-  return end
+}
+
+/** px, gap of contact `c` that its bodies may close in the sub-step. */
+function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: number): number {
+  const a = pair[2 * c]
+  const b = pair[2 * c + 1]
+  const way =
+    Math.abs(state[b * STATE + VX] - state[a * STATE + VX]) +
+    Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
+    shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
+    shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
+  return MARGIN + AHEAD * h * way
 }
 
 /**
@@ -2258,6 +2267,205 @@ function straighten(
   return rounds > 0
 }
 
+// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
+
+/**
+ * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
+ * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
+ */
+interface Hold {
+  body: number
+  /** Grabbed point in the body's own axes, px from its centre. */
+  localX: number
+  localY: number
+  /** Where the pointer is, and where it was lately. */
+  x: number
+  y: number
+  samples: { x: number; y: number; seconds: number }[]
+  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  impulseX: number
+  impulseY: number
+  rate: number
+  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
+  rx: number
+  ry: number
+  k11: number
+  k12: number
+  k22: number
+  biasX: number
+  biasY: number
+  massScale: number
+  impulseScale: number
+  limit: number
+}
+
+function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  const c = bodies.motion[body * MOTION + COS]
+  const s = bodies.motion[body * MOTION + SIN]
+  const dx = x - bodies.state[body * STATE + X]
+  const dy = y - bodies.state[body * STATE + Y]
+  return {
+    body,
+    localX: c * dx + s * dy,
+    localY: c * dy - s * dx,
+    x,
+    y,
+    samples: [],
+    impulseX: 0,
+    impulseY: 0,
+    rate: 0,
+    rx: 0,
+    ry: 0,
+    k11: 0,
+    k12: 0,
+    k22: 0,
+    biasX: 0,
+    biasY: 0,
+    massScale: 0,
+    impulseScale: 0,
+    limit: 0,
+  }
+}
+
+/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
+function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
+  const i = hold.body * STATE
+  const s = bodies.state
+  turn(s, bodies.motion, hold.body)
+  const cos = bodies.motion[hold.body * MOTION + COS]
+  const sin = bodies.motion[hold.body * MOTION + SIN]
+  const rx = cos * hold.localX - sin * hold.localY
+  const ry = sin * hold.localX + cos * hold.localY
+  const m = s[i + INV_MASS]
+  const n = s[i + INV_INERTIA]
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + BRAKE] = 0
+  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
+    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
+  const omega = 2 * Math.PI * GRAB_HERTZ
+  const a1 = 2 * GRAB_DAMPING + h * omega
+  const a2 = h * omega * a1
+  const a3 = 1 / (1 + a2)
+  hold.massScale = a2 * a3
+  hold.impulseScale = a3
+  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
+  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
+  const k11 = m + n * ry * ry
+  const k12 = -n * rx * ry
+  const k22 = m + n * rx * rx
+  const det = 1 / (k11 * k22 - k12 * k12)
+  hold.k11 = k22 * det
+  hold.k12 = -k12 * det
+  hold.k22 = k11 * det
+  hold.rx = rx
+  hold.ry = ry
+  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+}
+
+/** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
+function pull(bodies: Bodies, hold: Hold, gravity: number): number {
+  const i = hold.body * STATE
+  const s = bodies.state
+  turn(s, bodies.motion, hold.body)
+  const cos = bodies.motion[hold.body * MOTION + COS]
+  const sin = bodies.motion[hold.body * MOTION + SIN]
+  const away =
+    Math.abs(s[i + X] + cos * hold.localX - sin * hold.localY - hold.x) +
+    Math.abs(s[i + Y] + sin * hold.localX + cos * hold.localY - hold.y)
+  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
+}
+
+/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
+function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+  const m = hold.body * MOTION
+  const i = hold.body * STATE
+  if (hold.rate !== substeps) {
+    hold.impulseX *= hold.rate / substeps
+    hold.impulseY *= hold.rate / substeps
+    hold.rate = substeps
+  }
+  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
+  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
+  bodies.motion[m + PUSH_SPIN] +=
+    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
+}
+
+function solveHold(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const { rx, ry } = hold
+  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
+  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
+  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
+  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
+  const size = Math.sqrt(x * x + y * y)
+  if (size > hold.limit) {
+    x *= hold.limit / size
+    y *= hold.limit / size
+  }
+  const dx = x - hold.impulseX
+  const dy = y - hold.impulseY
+  hold.impulseX = x
+  hold.impulseY = y
+  s[i + VX] += s[i + INV_MASS] * dx
+  s[i + VY] += s[i + INV_MASS] * dy
+  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
+}
+
+/** s of the pointer's way that a throw is fitted to. */
+const THROW_WINDOW = 0.08
+
+/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
+function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  hold.x = x
+  hold.y = y
+  const samples = hold.samples
+  samples.push({ x, y, seconds })
+  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
+}
+
+/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+function throwVelocity(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const samples = hold.samples
+  if (samples.length > 1) {
+    let t = 0
+    let x = 0
+    let y = 0
+    for (const sample of samples) {
+      t += sample.seconds / samples.length
+      x += sample.x / samples.length
+      y += sample.y / samples.length
+    }
+    let tt = 0
+    let tx = 0
+    let ty = 0
+    for (const sample of samples) {
+      tt += (sample.seconds - t) * (sample.seconds - t)
+      tx += (sample.seconds - t) * (sample.x - x)
+      ty += (sample.seconds - t) * (sample.y - y)
+    }
+    if (tt > 0) {
+      const vx = tx / tt
+      const vy = ty / tt
+      const offX = s[i + X] + hold.rx - hold.x
+      const offY = s[i + Y] + hold.ry - hold.y
+      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
+      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx
+        s[i + VY] = vy
+      }
+    }
+  }
+  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
+  if (speed > MAX_TOSS) {
+    s[i + VX] *= MAX_TOSS / speed
+    s[i + VY] *= MAX_TOSS / speed
+  }
+}
+
 // islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
 
 /**
@@ -2279,6 +2487,9 @@ class Islands {
   /** The same, only those that touch in the present sub-step. */
   live: Int32Array = new Int32Array(0)
   contactStart: Int32Array = new Int32Array(0)
+  /** Sleepers that something may be knocked into in this step. */
+  struck: Int32Array = new Int32Array(0)
+  struckCount = 0
   /** Number of the island by root. */
   number: Int32Array = new Int32Array(0)
 }
@@ -2291,6 +2502,7 @@ function reserveIslands(islands: Islands, bodies: number): void {
   islands.bodyStart = grown(islands.bodyStart, bodies + 1)
   islands.contactStart = grown(islands.contactStart, bodies + 1)
   islands.number = grown(islands.number, bodies)
+  islands.struck = grown(islands.struck, bodies)
   // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
   const room = Math.max(islands.near.length, bodies * 6)
   islands.near = grown(islands.near, room)
@@ -2318,18 +2530,17 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/**
- * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
- * to the list and returns its new length.
- */
-function findIslands(islands: Islands, scene: Scene, awake: Int32Array, count: number): void {
+/** Islands of the `count` bodies listed in `awake`. Where `struck` lists any, they are to be woken, and the islands found again. */
+function findIslands(islands: Islands, scene: Scene, holds: Hold[], awake: Int32Array, count: number): void {
   const { parent, reach } = islands
   const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
+  for (const hold of holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
   islands.nearCount = 0
+  islands.struckCount = 0
   gather(islands, scene, awake, count, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
   gather(islands, scene, awake, count, true)
@@ -2400,7 +2611,7 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
       // The first round sees every pair once: from A, or from the chip at a wall.
       if (!again && j > 0 && (edge & 1) === 1) continue
       const c = (edge >> 1) & INDEX
-      if (mark[c] === -1 || asleep[j] === 1) continue
+      if (mark[c] === -1 || (asleep[j] === 1 && !again)) continue
       const k = c * CONTACT
       const b = j * STATE
       const coreB = shape[j * SHAPE + CORE]
@@ -2409,8 +2620,9 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
       if (d[k + POINTS] === 0) {
         let may = fall + go
         if (again) {
-          const root = j > 0 ? find(parent, j) : 0
-          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
+          const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
+          may =
+            fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (root > 0 ? reach[root] : 0))
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
@@ -2432,6 +2644,10 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
         }
+      }
+      if (asleep[j] === 1) {
+        if (islands.struckCount < islands.struck.length) islands.struck[islands.struckCount++] = j
+        continue
       }
       mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
@@ -2539,192 +2755,6 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
 function drowsy({ parent, reach }: Islands, i: number): boolean {
   const rested = -reach[find(parent, i)]
   return rested >= REST_TIME && rested < REST_TIME + SORTING
-}
-
-// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
-
-/**
- * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
- * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
- */
-interface Hold {
-  body: number
-  /** Grabbed point in the body's own axes, px from its centre. */
-  localX: number
-  localY: number
-  /** Where the pointer is, and where it was lately. */
-  x: number
-  y: number
-  samples: { x: number; y: number; seconds: number }[]
-  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
-  impulseX: number
-  impulseY: number
-  rate: number
-  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
-  rx: number
-  ry: number
-  k11: number
-  k12: number
-  k22: number
-  biasX: number
-  biasY: number
-  massScale: number
-  impulseScale: number
-  limit: number
-}
-
-function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
-  const c = bodies.motion[body * MOTION + COS]
-  const s = bodies.motion[body * MOTION + SIN]
-  const dx = x - bodies.state[body * STATE + X]
-  const dy = y - bodies.state[body * STATE + Y]
-  return {
-    body,
-    localX: c * dx + s * dy,
-    localY: c * dy - s * dx,
-    x,
-    y,
-    samples: [],
-    impulseX: 0,
-    impulseY: 0,
-    rate: 0,
-    rx: 0,
-    ry: 0,
-    k11: 0,
-    k12: 0,
-    k22: 0,
-    biasX: 0,
-    biasY: 0,
-    massScale: 0,
-    impulseScale: 0,
-    limit: 0,
-  }
-}
-
-/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
-function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
-  const i = hold.body * STATE
-  const s = bodies.state
-  turn(s, bodies.motion, hold.body)
-  const cos = bodies.motion[hold.body * MOTION + COS]
-  const sin = bodies.motion[hold.body * MOTION + SIN]
-  const rx = cos * hold.localX - sin * hold.localY
-  const ry = sin * hold.localX + cos * hold.localY
-  const m = s[i + INV_MASS]
-  const n = s[i + INV_INERTIA]
-  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
-  bodies.motion[hold.body * MOTION + BRAKE] = 0
-  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
-    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
-  const omega = 2 * Math.PI * GRAB_HERTZ
-  const a1 = 2 * GRAB_DAMPING + h * omega
-  const a2 = h * omega * a1
-  const a3 = 1 / (1 + a2)
-  hold.massScale = a2 * a3
-  hold.impulseScale = a3
-  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
-  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
-  const k11 = m + n * ry * ry
-  const k12 = -n * rx * ry
-  const k22 = m + n * rx * rx
-  const det = 1 / (k11 * k22 - k12 * k12)
-  hold.k11 = k22 * det
-  hold.k12 = -k12 * det
-  hold.k22 = k11 * det
-  hold.rx = rx
-  hold.ry = ry
-  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
-}
-
-/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
-function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
-  const m = hold.body * MOTION
-  const i = hold.body * STATE
-  if (hold.rate !== substeps) {
-    hold.impulseX *= hold.rate / substeps
-    hold.impulseY *= hold.rate / substeps
-    hold.rate = substeps
-  }
-  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
-  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
-  bodies.motion[m + PUSH_SPIN] +=
-    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
-}
-
-function solveHold(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const { rx, ry } = hold
-  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
-  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
-  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
-  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
-  const size = Math.sqrt(x * x + y * y)
-  if (size > hold.limit) {
-    x *= hold.limit / size
-    y *= hold.limit / size
-  }
-  const dx = x - hold.impulseX
-  const dy = y - hold.impulseY
-  hold.impulseX = x
-  hold.impulseY = y
-  s[i + VX] += s[i + INV_MASS] * dx
-  s[i + VY] += s[i + INV_MASS] * dy
-  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
-}
-
-/** s of the pointer's way that a throw is fitted to. */
-const THROW_WINDOW = 0.08
-
-/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
-function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
-  hold.x = x
-  hold.y = y
-  const samples = hold.samples
-  samples.push({ x, y, seconds })
-  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
-}
-
-/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
-function throwVelocity(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const samples = hold.samples
-  if (samples.length > 1) {
-    let t = 0
-    let x = 0
-    let y = 0
-    for (const sample of samples) {
-      t += sample.seconds / samples.length
-      x += sample.x / samples.length
-      y += sample.y / samples.length
-    }
-    let tt = 0
-    let tx = 0
-    let ty = 0
-    for (const sample of samples) {
-      tt += (sample.seconds - t) * (sample.seconds - t)
-      tx += (sample.seconds - t) * (sample.x - x)
-      ty += (sample.seconds - t) * (sample.y - y)
-    }
-    if (tt > 0) {
-      const vx = tx / tt
-      const vy = ty / tt
-      const offX = s[i + X] + hold.rx - hold.x
-      const offY = s[i + Y] + hold.ry - hold.y
-      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
-      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx
-        s[i + VY] = vy
-      }
-    }
-  }
-  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
-  if (speed > MAX_TOSS) {
-    s[i + VX] *= MAX_TOSS / speed
-    s[i + VY] *= MAX_TOSS / speed
-  }
 }
 
 // world: the step ───────────────────────────────────────────────────────────────────────────────────────────
@@ -2905,6 +2935,7 @@ function createWorld(options: WorldOptions) {
     bodies.asleep[i] = 0
     bodies.rest[i * 4 + 3] = 0
     jams[i] = 0
+    undrawn[i] = 1
     awake[awakeCount++] = i
     bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
   }
@@ -2960,7 +2991,11 @@ function createWorld(options: WorldOptions) {
     tally(bodies, awake, 0, awakeCount, ahead)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
-    findIslands(islands, scene, awake, awakeCount)
+    findIslands(islands, scene, holds, awake, awakeCount)
+    while (islands.struckCount > 0) {
+      for (let n = 0; n < islands.struckCount; n++) wake(islands.struck[n])
+      findIslands(islands, scene, holds, awake, awakeCount)
+    }
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
       const b1 = islands.bodyStart[n + 1]

@@ -87,12 +87,11 @@ export const SKIN = 8
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2
 export const IMPACT_SHARE = 0.05
-/**
- * Restitution from which a second hit inside a sub-step bounces as well, in as many rounds, and from which a step is held to the
- * energy that it began with.
- */
-export const LIVELY_BOUNCE = 0.5
+/** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
+export const IMPACT_ROUNDS_DULL = 2
 export const IMPACT_ROUNDS = 6
+/** Restitution from which that is so, and from which a step is held to the energy that it began with. */
+export const LIVELY_BOUNCE = 0.5
 /** Most sweeps over one cluster of impacts. */
 export const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
@@ -113,6 +112,8 @@ export const FOLLOW = 0.03
 /** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
-export const GRAB_STRENGTH = 12
+export const GRAB_STRENGTH = 14
+/** px, a little more than a chip that merely hangs there lags behind the pointer. */
+export const GRAB_SAG = 4
 /** px/s, the most a chip keeps when it is let go. */
 export const MAX_TOSS = 1800

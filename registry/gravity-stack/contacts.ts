@@ -325,6 +325,12 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     d[k + K12] = k12
     d[k + INV_DET] = det > 0.001 * k11 * k22 ? 1 / det : 0
   }
+  if (a > 0) {
+    // Friction acts midway between the two surfaces: across a gap it would turn what it pushes.
+    const half = (touch[GAP] + touch[count > 1 ? POINT + GAP : GAP]) / 4
+    ta += half
+    tb -= half
+  }
   d[k + TA] = ta
   d[k + TB] = tb
   d[k + MASS_T] = 1 / (im + iia * ta * ta + iib * tb * tb)

@@ -32,6 +32,19 @@ describe('a held chip', () => {
     expect(Math.hypot(held.x - 350, held.y - 100)).toBeLessThan(4)
   })
 
+  it('goes into nothing when it is pulled away at once, however near the next one stands', () => {
+    for (let gap = 0.5; gap < 8; gap++) {
+      const chips = [0, 1].map((i) => ({ ...pill, radius: 0, x: 200 + (80 + gap) * i, y: floor - 15 }))
+      const { world, ids } = pile(chips)
+      const grab = world.grab(ids[0], 200, floor - 15)
+      for (let k = 1; k <= 6; k++) {
+        grab.moveTo(600, floor - 15, k * frame)
+        world.step(frame)
+        expect(overlap(world, ids, chips)).toBeLessThan(0.5)
+      }
+    }
+  })
+
   it('swings at first, round the pointer', () => {
     const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
     world.grab(ids[0], 350, 100)

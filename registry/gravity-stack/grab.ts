@@ -17,7 +17,7 @@ import {
   X,
   Y,
 } from './body'
-import { GRAB_DAMPING, GRAB_HERTZ, GRAB_STRENGTH, MAX_TOSS } from './constants'
+import { GRAB_DAMPING, GRAB_HERTZ, GRAB_SAG, GRAB_STRENGTH, MAX_TOSS, STEP } from './constants'
 
 /**
  * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
@@ -110,6 +110,19 @@ export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: numb
   hold.rx = rx
   hold.ry = ry
   hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+}
+
+/** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
+export function pull(bodies: Bodies, hold: Hold, gravity: number): number {
+  const i = hold.body * STATE
+  const s = bodies.state
+  turn(s, bodies.motion, hold.body)
+  const cos = bodies.motion[hold.body * MOTION + COS]
+  const sin = bodies.motion[hold.body * MOTION + SIN]
+  const away =
+    Math.abs(s[i + X] + cos * hold.localX - sin * hold.localY - hold.x) +
+    Math.abs(s[i + Y] + sin * hold.localX + cos * hold.localY - hold.y)
+  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
 }
 
 /** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */

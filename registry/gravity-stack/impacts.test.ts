@@ -3,7 +3,7 @@ import type { Shape } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { type Chip, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
-import { energy, readAll, worldOf } from './testing'
+import { energy, overlap, readAll, stage, worldOf } from './testing'
 
 function anyShape(random: () => number): Shape {
   const height = 16 + 60 * random()
@@ -165,3 +165,32 @@ describe('a chip that lands', () => {
     },
   )
 })
+
+describe('within one sub-step', () => {
+  it('a chip that comes along with another is stopped after it, 0.1 px deep at most', () => {
+    for (let from = 0; from < 8; from++) {
+      const box = { width: 60, height: 30, angle: 0, vy: 1900 }
+      const chips = [0, 1].map((i) => ({ ...box, x: 320, y: 250 + from - 31.5 * i }))
+      expect(deepest(chips)).toBeLessThan(0.1)
+    }
+  })
+
+  it('a pill that lands on one end lands on the other, 0.1 px deep at most', () => {
+    const plate = { width: 300, height: 40, density: 1000, angle: 0, x: 320, y: stage.height - 20 }
+    for (let from = 0; from < 16; from++) {
+      const pill = { width: 110, height: 28, radius: 14, x: 320, y: 200 + 1.7 * from, angle: 0.02, vy: 2000 }
+      expect(deepest([plate, pill])).toBeLessThan(0.1)
+    }
+  })
+})
+
+/** px, the deepest that these chips are in each other or a wall after any of the first eight frames. */
+function deepest(chips: Chip[]) {
+  const { world, ids } = worldOf(chips)
+  let most = 0
+  for (let k = 0; k < 8; k++) {
+    world.step(frame)
+    most = Math.max(most, overlap(world, ids, chips))
+  }
+  return most
+}

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest'
 import { frame } from '../../scenes/scene'
-import { readAll, run, settle, stage, worldOf } from './testing'
+import { overlap, readAll, run, settle, stage, worldOf } from './testing'
 
 const box = { width: 60, height: 40, angle: 0 }
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }
@@ -46,6 +46,20 @@ describe('a pile falls asleep', () => {
 })
 
 describe('a sleeping pile wakes', () => {
+  it('what a chip is knocked into that merely lay beside it, before it is gone into', () => {
+    let most = 0
+    for (let gap = 0; gap < 24; gap += 2) {
+      const chips = [0, 1].map((i) => ({ ...box, x: 300 + 60 * i, y: floor - 20 }))
+      const { world, ids } = asleep(chips)
+      const hammer = { ...box, x: 240 - gap, y: floor - 20 }
+      ids.push(world.add({ ...hammer, vx: 1500 }))
+      world.step(frame)
+      most = Math.max(most, overlap(world, ids, [...chips, hammer]))
+      if (gap < 12) expect(world.read(ids[1]).asleep).toBe(false)
+    }
+    expect(most).toBeLessThan(0.2)
+  })
+
   it('those above, when their support is taken out, and they fall', () => {
     const { world, ids } = asleep(tower(4))
     world.remove(ids[0])

@@ -15,6 +15,7 @@ import {
   type Scene,
   SECOND,
 } from './contacts'
+import { type Hold, pull } from './grab'
 import { straighten } from './solver'
 
 /**
@@ -36,6 +37,9 @@ export class Islands {
   /** The same, only those that touch in the present sub-step. */
   live: Int32Array = new Int32Array(0)
   contactStart: Int32Array = new Int32Array(0)
+  /** Sleepers that something may be knocked into in this step. */
+  struck: Int32Array = new Int32Array(0)
+  struckCount = 0
   /** Number of the island by root. */
   number: Int32Array = new Int32Array(0)
 }
@@ -48,6 +52,7 @@ export function reserveIslands(islands: Islands, bodies: number): void {
   islands.bodyStart = grown(islands.bodyStart, bodies + 1)
   islands.contactStart = grown(islands.contactStart, bodies + 1)
   islands.number = grown(islands.number, bodies)
+  islands.struck = grown(islands.struck, bodies)
   // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
   const room = Math.max(islands.near.length, bodies * 6)
   islands.near = grown(islands.near, room)
@@ -75,18 +80,23 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/**
- * Islands of the `count` bodies listed in `awake`. `wake` is asked to wake a sleeper that is about to be hit; it appends
- * to the list and returns its new length.
- */
-export function findIslands(islands: Islands, scene: Scene, awake: Int32Array, count: number): void {
+/** Islands of the `count` bodies listed in `awake`. Where `struck` lists any, they are to be woken, and the islands found again. */
+export function findIslands(
+  islands: Islands,
+  scene: Scene,
+  holds: Hold[],
+  awake: Int32Array,
+  count: number,
+): void {
   const { parent, reach } = islands
   const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
+  for (const hold of holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
   islands.nearCount = 0
+  islands.struckCount = 0
   gather(islands, scene, awake, count, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
   gather(islands, scene, awake, count, true)
@@ -157,7 +167,7 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
       // The first round sees every pair once: from A, or from the chip at a wall.
       if (!again && j > 0 && (edge & 1) === 1) continue
       const c = (edge >> 1) & INDEX
-      if (mark[c] === -1 || asleep[j] === 1) continue
+      if (mark[c] === -1 || (asleep[j] === 1 && !again)) continue
       const k = c * CONTACT
       const b = j * STATE
       const coreB = shape[j * SHAPE + CORE]
@@ -166,8 +176,9 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
       if (d[k + POINTS] === 0) {
         let may = fall + go
         if (again) {
-          const root = j > 0 ? find(parent, j) : 0
-          may = fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (j > 0 ? reach[root] : 0))
+          const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
+          may =
+            fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (root > 0 ? reach[root] : 0))
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
@@ -189,6 +200,10 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
         }
+      }
+      if (asleep[j] === 1) {
+        if (islands.struckCount < islands.struck.length) islands.struck[islands.struckCount++] = j
+        continue
       }
       mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)

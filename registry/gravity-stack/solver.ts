@@ -41,6 +41,7 @@ import {
   CLOSING_SHARE,
   DEEP,
   IMPACT_ROUNDS,
+  IMPACT_ROUNDS_DULL,
   LIVELY,
   LIVELY_BOUNCE,
   MARGIN,
@@ -69,6 +70,7 @@ import {
   FROM_B,
   FROM_X,
   FROM_Y,
+  gapBound,
   INV_DET,
   K,
   K12,
@@ -224,10 +226,10 @@ export function prepare(
     }
     close(scene, c)
   }
-  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to, end) : end
+  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to) : end
 }
 
-/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`, of which `live[from..end)` touch; returns where these now end. */
+/** Resolves the impacts that `prepare` found among the contacts `list[from..to)`; lists those that now touch in `live` and returns where they end. */
 function bounce(
   scene: Scene,
   impacts: Impacts,
@@ -235,43 +237,45 @@ function bounce(
   live: Int32Array,
   from: number,
   to: number,
-  end: number,
 ): number {
-  const { bodies, contacts, h } = scene
-  const { state: s, shape } = bodies
+  const { bodies, contacts } = scene
   const { data: d, pair } = contacts
-  for (let again = 1; impacts.count > 0; again++) {
+  const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
+  for (let again = 1; ; again++) {
     resolve(impacts, scene)
-    for (let n = 0; n < impacts.bodyCount; n++) {
-      for (let edge = contacts.head[impacts.bodies[n]]; edge >= 0; edge = contacts.next[edge]) {
-        // A sleeper stays where it is: nothing would keep it inside, nor wake what lies on it.
-        if (d[(edge >> 1) * CONTACT + POINTS] > 0 && bodies.asleep[pair[edge ^ 1]] === 0)
-          close(scene, edge >> 1)
-      }
-    }
-    // What an impact sends off may hit another within the same sub-step; dull chips would lose that bounce anyway.
-    if (scene.bounce < LIVELY_BOUNCE || again === IMPACT_ROUNDS) break
     const { mark, phase } = impacts
-    clearImpacts(impacts)
-    end = from
+    const last = again === rounds
+    if (!last) clearImpacts(impacts)
+    let end = from
     for (let n = from; n < to; n++) {
       const c = list[n]
       const k = c * CONTACT
       const a = pair[2 * c]
       const b = pair[2 * c + 1]
-      if ((mark[a] === phase || mark[b] === phase) && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
-        const way =
-          Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
-          Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
-          shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
-          shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN])
-        enterAgain(impacts, scene, c, MARGIN + AHEAD * h * way)
+      if (mark[a] === phase || mark[b] === phase) {
+        // What an impact sends off, or stops, may hit another within the same sub-step.
+        if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+          const near = nearing(scene, c)
+          if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
+        }
         if (d[k + POINTS] > 0) close(scene, c)
       }
       if (d[k + POINTS] > 0) live[end++] = c
     }
+    if (last || impacts.count === 0) return end
   }
-  return end
+}
+
+/** px, gap of contact `c` that its bodies may close in the sub-step. */
+function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: number): number {
+  const a = pair[2 * c]
+  const b = pair[2 * c + 1]
+  const way =
+    Math.abs(state[b * STATE + VX] - state[a * STATE + VX]) +
+    Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
+    shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
+    shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
+  return MARGIN + AHEAD * h * way
 }
 
 /**

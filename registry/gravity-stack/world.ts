@@ -252,6 +252,7 @@ export function createWorld(options: WorldOptions) {
     bodies.asleep[i] = 0
     bodies.rest[i * 4 + 3] = 0
     jams[i] = 0
+    undrawn[i] = 1
     awake[awakeCount++] = i
     bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
   }
@@ -307,7 +308,11 @@ export function createWorld(options: WorldOptions) {
     tally(bodies, awake, 0, awakeCount, ahead)
     updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
-    findIslands(islands, scene, awake, awakeCount)
+    findIslands(islands, scene, holds, awake, awakeCount)
+    while (islands.struckCount > 0) {
+      for (let n = 0; n < islands.struckCount; n++) wake(islands.struck[n])
+      findIslands(islands, scene, holds, awake, awakeCount)
+    }
     for (let n = 0; n < islands.count; n++) {
       const b0 = islands.bodyStart[n]
       const b1 = islands.bodyStart[n + 1]
