@@ -95,7 +95,10 @@ export function sane(scene: FuzzScene): FuzzScene {
         density: within(density, 1e-6, 1e6, 1),
       }
     }),
-    acts: scene.acts.map((act) => (act.do === 'reshape' ? { ...act, ...shapeOf(act) } : act)),
+    acts: scene.acts.map((act) => {
+      if (act.do === 'resize') return { ...act, width: size(act.width), height: size(act.height) }
+      return act.do === 'reshape' ? { ...act, ...shapeOf(act) } : act
+    }),
   }
 }
 
