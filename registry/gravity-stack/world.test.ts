@@ -177,6 +177,18 @@ describe('a step', () => {
   })
 })
 
+describe('a second world', () => {
+  it('throws away nothing that was compiled for the first', () => {
+    const script = fileURLToPath(new URL('./second-world.ts', import.meta.url))
+    const args = ['--trace-deopt', '--import', 'tsx', script]
+    const trace = execFileSync(process.execPath, args, { encoding: 'utf8', maxBuffer: 1e9 })
+    expect(trace).toContain('<another world>')
+    const making = trace.split('<another world>')[1].split('</another world>')[0]
+    // The functions that make worlds may be compiled anew, those that step them not.
+    expect(making.match(/(sweep|prepare|kick|move|collide\w*|measure|turn)>/g) ?? []).toEqual([])
+  })
+})
+
 describe('input that makes no sense', () => {
   const odd = [NaN, Infinity, -Infinity, -1, 0, 1e9, -1e9, 1e308, 1e-308]
   const good: Chip = { width: 60, height: 30, radius: 15, x: 320, y: 100, angle: 0 }
