@@ -77,15 +77,24 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
   }
 }
 
+/** px, from the centre of the held body to the grabbed point, as `findArm` left it. */
+const arm: Float64Array = new Float64Array(2)
+
+function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): void {
+  turn(state, motion, body)
+  const cos = motion[body * MOTION + COS]
+  const sin = motion[body * MOTION + SIN]
+  arm[0] = cos * localX - sin * localY
+  arm[1] = sin * localX + cos * localY
+}
+
 /** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
 export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
   const i = hold.body * STATE
   const s = bodies.state
-  turn(s, bodies.motion, hold.body)
-  const cos = bodies.motion[hold.body * MOTION + COS]
-  const sin = bodies.motion[hold.body * MOTION + SIN]
-  const rx = cos * hold.localX - sin * hold.localY
-  const ry = sin * hold.localX + cos * hold.localY
+  findArm(bodies, hold)
+  const rx = arm[0]
+  const ry = arm[1]
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
@@ -116,12 +125,8 @@ export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: numb
 export function pull(bodies: Bodies, hold: Hold, gravity: number): number {
   const i = hold.body * STATE
   const s = bodies.state
-  turn(s, bodies.motion, hold.body)
-  const cos = bodies.motion[hold.body * MOTION + COS]
-  const sin = bodies.motion[hold.body * MOTION + SIN]
-  const away =
-    Math.abs(s[i + X] + cos * hold.localX - sin * hold.localY - hold.x) +
-    Math.abs(s[i + Y] + sin * hold.localX + cos * hold.localY - hold.y)
+  findArm(bodies, hold)
+  const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
   return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
 }
 
