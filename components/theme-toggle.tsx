@@ -24,6 +24,9 @@ export function ThemeToggle({ children }: { children: ReactNode }) {
     }
     system.addEventListener('change', follow)
     paper.addEventListener('change', print)
+    // What changed while this script was on its way was heard by nobody.
+    follow()
+    if (paper.matches) print()
     return () => {
       system.removeEventListener('change', follow)
       paper.removeEventListener('change', print)

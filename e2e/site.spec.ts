@@ -203,6 +203,25 @@ test('the theme follows the system while nobody has pressed the switch', async (
   await expect(page.locator('html')).toHaveClass(/dark/)
 })
 
+test('a change of the system while the page loads is not missed', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' })
+  let letArrive = () => {}
+  const arrives = new Promise<void>((resolve) => {
+    letArrive = resolve
+  })
+  await page.route('**/*.js', async (route) => {
+    await arrives
+    await route.continue()
+  })
+  const loaded = page.goto('/docs/setup')
+  await expect(page.getByRole('heading', { level: 1, name: 'Setup' })).toBeVisible()
+  await expect(page.locator('html')).not.toHaveClass(/dark/)
+  await page.emulateMedia({ colorScheme: 'dark' })
+  letArrive()
+  await loaded
+  await expect(page.locator('html')).toHaveClass(/dark/)
+})
+
 test('a dark page is printed light, and is dark again afterwards', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark' })
   await page.goto('/docs/setup', { waitUntil: 'networkidle' })
