@@ -41,14 +41,14 @@ const MAX_SPEED = 3600
 /** s, the fixed step. Frames of any length are cut into these, so that the pile never depends on the display. */
 const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
-const SUBSTEPS = 8
+const SUBSTEPS = 6
 /**
  * Most velocity sweeps of a sub-step: few while a chip of the island is faster than this, px/s, as the next sub-step sees
  * other contacts anyway; many when what is left is to stand.
  */
 const SWEEPS = 12
 const SWEEPS_LEAST = 2
-const SWEEPS_LIVELY = 5
+const SWEEPS_LIVELY = 8
 const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 const SWEEPS_UNEVEN = 300
@@ -67,6 +67,9 @@ const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
 const BALANCE = 0.1
 
+/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
+const MISJUDGED = 50
+
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 const SLOP = 0.004
 /**
@@ -74,7 +77,7 @@ const SLOP = 0.004
  * px/s, and how often: a jam comes apart, while a pile that still settles would be stirred.
  */
 const DEEP = 0.02
-const JAMMED = 7
+const JAMMED = 10
 const PARTINGS = 64
 /** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
 const WEDGED = 0.5
@@ -1305,27 +1308,37 @@ function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
-/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
-function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
-  const { state, motion, shape } = bodies
+/** px, half the width and half the height of the body that `halfExtents` looked at. */
+const half: Float64Array = new Float64Array(2)
+
+/** Leaves in `half` how far body `i` reaches from its centre at its present angle, or turned on by up to `swing` px at its end. */
+function halfExtents({ state, motion, shape }: Bodies, i: number, swing: number): void {
   turn(state, motion, i)
-  const s = i * STATE
   const c = Math.abs(motion[i * MOTION + COS])
   const n = Math.abs(motion[i * MOTION + SIN])
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]
-  // A chip that spins reaches further before the step is over.
   const core = shape[i * SHAPE + CORE]
-  const swing = STEP * core * Math.abs(state[s + SPIN])
-  const ex = Math.min(core, hx * c + hy * n + swing) + r
-  const ey = Math.min(core, hx * n + hy * c + swing) + r
+  half[X] = Math.min(core, hx * c + hy * n + swing) + r
+  half[Y] = Math.min(core, hx * n + hy * c + swing) + r
+}
+
+/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
+function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
+  const { state, shape } = bodies
+  const s = i * STATE
+  // A chip that spins reaches further before the step is over.
+  halfExtents(bodies, i, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  const ex = half[X]
+  const ey = half[Y]
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
+  const fall = 0.5 * gravity * STEP * STEP
   const left = state[s + X] - ex + Math.min(goX, 0)
   const right = state[s + X] + ex + Math.max(goX, 0)
-  const top = state[s + Y] - ey + Math.min(goY, 0)
-  const bottom = state[s + Y] + ey + Math.max(goY, 0)
+  const top = state[s + Y] - ey + Math.min(goY, goY + fall, 0)
+  const bottom = state[s + Y] + ey + Math.max(goY, goY + fall, 0)
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
@@ -1342,6 +1355,7 @@ function updatePairs(
   pairs: Pairs,
   contacts: Contacts,
   walls: Walls,
+  gravity: number,
   awake: Int32Array,
   count: number,
 ): void {
@@ -1349,7 +1363,7 @@ function updatePairs(
   let any = false
   for (let a = 0; a < count; a++) {
     const i = awake[a]
-    if (!outgrown(bodies, pairs, i)) continue
+    if (!outgrown(bodies, pairs, gravity, i)) continue
     moved[i] = 1
     any = true
     const k = i * 4
@@ -1416,6 +1430,40 @@ function updatePairs(
         partner[contacts.pair[edge ^ 1]] = 0
   }
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
+}
+
+/**
+ * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Where that takes it into
+ * one that it has no contact with, or past it, it waits at the edge of its box: its velocity stays, and the next step sees it come.
+ */
+function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
+  const { box, order, partner } = pairs
+  const { state } = bodies
+  const k = i * 4
+  halfExtents(bodies, i, 0)
+  const ex = half[X]
+  const ey = half[Y]
+  const x = state[i * STATE + X]
+  const y = state[i * STATE + Y]
+  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
+  const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
+  const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+    partner[contacts.pair[edge ^ 1]] = i
+  for (let b = 0; b < pairs.sorted; b++) {
+    const j = order[b]
+    if (j === i || partner[j] === i) continue
+    halfExtents(bodies, j, 0)
+    const otherX = state[j * STATE + X]
+    const otherY = state[j * STATE + Y]
+    if (Math.min(x, backX) - ex > otherX + half[X] || Math.max(x, backX) + ex < otherX - half[X]) continue
+    if (Math.min(y, backY) - ey > otherY + half[Y] || Math.max(y, backY) + ey < otherY - half[Y]) continue
+    state[i * STATE + X] = backX
+    state[i * STATE + Y] = backY
+    break
+  }
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+    partner[contacts.pair[edge ^ 1]] = 0
 }
 
 function overlap(box: Float64Array, i: number, j: number): boolean {
@@ -1742,7 +1790,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
- * Those that move are marked as stirred for the sweep with number `round`.
+ * Those that move, or were moved, are marked as stirred for the sweep with number `round`.
  */
 function kick(
   scene: Scene,
@@ -1753,7 +1801,7 @@ function kick(
   spinAir: Air,
   round: number,
 ): void {
-  const { state, motion, shape, stirred } = scene.bodies
+  const { state, motion, shape, stirred, moved } = scene.bodies
   const gravity = scene.gravity
   const half = 0.5 * air.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -1786,7 +1834,7 @@ function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > BALANCE) stirred[i] = round - 1
+    if (speed > BALANCE || moved[i] > 0) stirred[i] = round - 1
   }
 }
 
@@ -2119,16 +2167,19 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
     const dvx = vx - motion[m + KICK_X]
     const dvy = vy - motion[m + KICK_Y]
     const dSpin = spin - motion[m + KICK_SPIN]
+    const extent = shape[i * SHAPE + EXTENT]
+    // Where the warm start was far off, as after an impact, nothing acted evenly: it counts in full as well.
+    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > MISJUDGED ? 0.5 * h : 0
+    state[s + X] += motion[m + DRIFT_X] + h * dvx + whole * motion[m + PUSH_X]
+    state[s + Y] += motion[m + DRIFT_Y] + h * dvy + whole * motion[m + PUSH_Y]
+    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin + whole * motion[m + PUSH_SPIN]
     const pushX = motion[m + PUSH_X] + dvx
     const pushY = motion[m + PUSH_Y] + dvy
     motion[m + PUSH_X] = pushX
     motion[m + PUSH_Y] = pushY
     motion[m + PUSH_SPIN] += dSpin
-    state[s + X] += motion[m + DRIFT_X] + h * dvx
-    state[s + Y] += motion[m + DRIFT_Y] + h * dvy
-    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
     // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
-    const speed = Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin)
+    const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
     if (Math.max(speed, gain) > BALANCE) active++
     capSpeed(state, s)
@@ -2994,7 +3045,7 @@ function createWorld(options: WorldOptions) {
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
     tally(bodies, awake, 0, awakeCount, ahead)
-    updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
+    updatePairs(bodies, pairs, contacts, walls, scene.gravity, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
     findIslands(islands, scene, holds, awake, awakeCount)
     while (islands.struckCount > 0) {
@@ -3080,7 +3131,10 @@ function createWorld(options: WorldOptions) {
       for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
       if (deep > 0) relieve(b0, b1, c0, end)
     }
-    for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
+    for (let n = b0; n < b1; n++) {
+      keepInBox(bodies, pairs, contacts, islands.bodies[n])
+      keepInside(scene, islands.bodies[n])
+    }
     if (free) return
     weigh(b0, b1, 2)
     const moving = energies[2]

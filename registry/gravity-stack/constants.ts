@@ -23,14 +23,14 @@ export const MAX_SPEED = 3600
 /** s, the fixed step. Frames of any length are cut into these, so that the pile never depends on the display. */
 export const STEP = 1 / 60
 /** Sub-steps of a step for an island in motion. More is more exact and dearer. */
-export const SUBSTEPS = 8
+export const SUBSTEPS = 6
 /**
  * Most velocity sweeps of a sub-step: few while a chip of the island is faster than this, px/s, as the next sub-step sees
  * other contacts anyway; many when what is left is to stand.
  */
 export const SWEEPS = 12
 export const SWEEPS_LEAST = 2
-export const SWEEPS_LIVELY = 5
+export const SWEEPS_LIVELY = 8
 export const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 export const SWEEPS_UNEVEN = 300
@@ -49,6 +49,9 @@ export const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
 export const BALANCE = 0.1
 
+/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
+export const MISJUDGED = 50
+
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
 export const SLOP = 0.004
 /**
@@ -56,7 +59,7 @@ export const SLOP = 0.004
  * px/s, and how often: a jam comes apart, while a pile that still settles would be stirred.
  */
 export const DEEP = 0.02
-export const JAMMED = 7
+export const JAMMED = 10
 export const PARTINGS = 64
 /** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
 export const WEDGED = 0.5

@@ -184,6 +184,40 @@ describe('within one sub-step', () => {
   })
 })
 
+describe('what a bullet knocks away', () => {
+  it.each([9, 17, 20, 30])('does not go through a plate of 4 px that stands %i px behind it', (gap) => {
+    for (const bounce of [0.18, 1]) {
+      for (let from = 0; from < 60; from += 5) {
+        const box = { width: 30, height: 30, y: 200, angle: 0 }
+        const chips = [
+          { ...box, x: 500 - 91 - from, vx: 3600 },
+          { ...box, x: 500 },
+          { width: 4, height: 200, x: 517 + gap, y: 200, angle: 0 },
+        ]
+        const { world, ids } = worldOf(chips, { width: 2000, height: 400, gravity: 0, bounce })
+        for (let k = 0; k < 12; k++) {
+          world.step(frame)
+          const [, knocked, plate] = readAll(world, ids)
+          expect(knocked.x).toBeLessThan(plate.x)
+        }
+      }
+    }
+  })
+})
+
+it('a chip that falls ever faster meets the floor in the step that takes it there', () => {
+  // Each starts a little higher: some come down to where their speed alone would just not take them.
+  for (let from = 0; from < 40; from++) {
+    const chip = { width: 60, height: 30, x: 320, y: 100 - from, angle: 0 }
+    const { world, ids } = worldOf([chip], { gravity: 18_000, linearDamping: 0 })
+    const put = energy(world, ids, [chip], 18_000)
+    for (let k = 0; k < 20; k++) {
+      world.step(frame)
+      expect(energy(world, ids, [chip], 18_000) / put).toBeLessThan(1 + 1e-9)
+    }
+  }
+})
+
 /** px, the deepest that these chips are in each other or a wall after any of the first eight frames. */
 function deepest(chips: Chip[]) {
   const { world, ids } = worldOf(chips)

@@ -65,27 +65,37 @@ export function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
-/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
-function outgrown(bodies: Bodies, pairs: Pairs, i: number): boolean {
-  const { state, motion, shape } = bodies
+/** px, half the width and half the height of the body that `halfExtents` looked at. */
+const half: Float64Array = new Float64Array(2)
+
+/** Leaves in `half` how far body `i` reaches from its centre at its present angle, or turned on by up to `swing` px at its end. */
+function halfExtents({ state, motion, shape }: Bodies, i: number, swing: number): void {
   turn(state, motion, i)
-  const s = i * STATE
   const c = Math.abs(motion[i * MOTION + COS])
   const n = Math.abs(motion[i * MOTION + SIN])
   const hx = shape[i * SHAPE + HX]
   const hy = shape[i * SHAPE + HY]
   const r = shape[i * SHAPE + RADIUS]
-  // A chip that spins reaches further before the step is over.
   const core = shape[i * SHAPE + CORE]
-  const swing = STEP * core * Math.abs(state[s + SPIN])
-  const ex = Math.min(core, hx * c + hy * n + swing) + r
-  const ey = Math.min(core, hx * n + hy * c + swing) + r
+  half[X] = Math.min(core, hx * c + hy * n + swing) + r
+  half[Y] = Math.min(core, hx * n + hy * c + swing) + r
+}
+
+/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
+function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
+  const { state, shape } = bodies
+  const s = i * STATE
+  // A chip that spins reaches further before the step is over.
+  halfExtents(bodies, i, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  const ex = half[X]
+  const ey = half[Y]
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
+  const fall = 0.5 * gravity * STEP * STEP
   const left = state[s + X] - ex + Math.min(goX, 0)
   const right = state[s + X] + ex + Math.max(goX, 0)
-  const top = state[s + Y] - ey + Math.min(goY, 0)
-  const bottom = state[s + Y] + ey + Math.max(goY, 0)
+  const top = state[s + Y] - ey + Math.min(goY, goY + fall, 0)
+  const bottom = state[s + Y] + ey + Math.max(goY, goY + fall, 0)
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
@@ -102,6 +112,7 @@ export function updatePairs(
   pairs: Pairs,
   contacts: Contacts,
   walls: Walls,
+  gravity: number,
   awake: Int32Array,
   count: number,
 ): void {
@@ -109,7 +120,7 @@ export function updatePairs(
   let any = false
   for (let a = 0; a < count; a++) {
     const i = awake[a]
-    if (!outgrown(bodies, pairs, i)) continue
+    if (!outgrown(bodies, pairs, gravity, i)) continue
     moved[i] = 1
     any = true
     const k = i * 4
@@ -176,6 +187,40 @@ export function updatePairs(
         partner[contacts.pair[edge ^ 1]] = 0
   }
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
+}
+
+/**
+ * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Where that takes it into
+ * one that it has no contact with, or past it, it waits at the edge of its box: its velocity stays, and the next step sees it come.
+ */
+export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
+  const { box, order, partner } = pairs
+  const { state } = bodies
+  const k = i * 4
+  halfExtents(bodies, i, 0)
+  const ex = half[X]
+  const ey = half[Y]
+  const x = state[i * STATE + X]
+  const y = state[i * STATE + Y]
+  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
+  const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
+  const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+    partner[contacts.pair[edge ^ 1]] = i
+  for (let b = 0; b < pairs.sorted; b++) {
+    const j = order[b]
+    if (j === i || partner[j] === i) continue
+    halfExtents(bodies, j, 0)
+    const otherX = state[j * STATE + X]
+    const otherY = state[j * STATE + Y]
+    if (Math.min(x, backX) - ex > otherX + half[X] || Math.max(x, backX) + ex < otherX - half[X]) continue
+    if (Math.min(y, backY) - ey > otherY + half[Y] || Math.max(y, backY) + ey < otherY - half[Y]) continue
+    state[i * STATE + X] = backX
+    state[i * STATE + Y] = backY
+    break
+  }
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+    partner[contacts.pair[edge ^ 1]] = 0
 }
 
 function overlap(box: Float64Array, i: number, j: number): boolean {

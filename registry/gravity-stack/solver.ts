@@ -47,6 +47,7 @@ import {
   MARGIN,
   MAX_PUSH,
   MAX_SPEED,
+  MISJUDGED,
   PARTINGS,
   PUSH,
   PUSH_LAST,
@@ -93,7 +94,7 @@ import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
- * Those that move are marked as stirred for the sweep with number `round`.
+ * Those that move, or were moved, are marked as stirred for the sweep with number `round`.
  */
 export function kick(
   scene: Scene,
@@ -104,7 +105,7 @@ export function kick(
   spinAir: Air,
   round: number,
 ): void {
-  const { state, motion, shape, stirred } = scene.bodies
+  const { state, motion, shape, stirred, moved } = scene.bodies
   const gravity = scene.gravity
   const half = 0.5 * air.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -137,7 +138,7 @@ export function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > BALANCE) stirred[i] = round - 1
+    if (speed > BALANCE || moved[i] > 0) stirred[i] = round - 1
   }
 }
 
@@ -470,16 +471,19 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
     const dvx = vx - motion[m + KICK_X]
     const dvy = vy - motion[m + KICK_Y]
     const dSpin = spin - motion[m + KICK_SPIN]
+    const extent = shape[i * SHAPE + EXTENT]
+    // Where the warm start was far off, as after an impact, nothing acted evenly: it counts in full as well.
+    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > MISJUDGED ? 0.5 * h : 0
+    state[s + X] += motion[m + DRIFT_X] + h * dvx + whole * motion[m + PUSH_X]
+    state[s + Y] += motion[m + DRIFT_Y] + h * dvy + whole * motion[m + PUSH_Y]
+    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin + whole * motion[m + PUSH_SPIN]
     const pushX = motion[m + PUSH_X] + dvx
     const pushY = motion[m + PUSH_Y] + dvy
     motion[m + PUSH_X] = pushX
     motion[m + PUSH_Y] = pushY
     motion[m + PUSH_SPIN] += dSpin
-    state[s + X] += motion[m + DRIFT_X] + h * dvx
-    state[s + Y] += motion[m + DRIFT_Y] + h * dvy
-    state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin
     // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
-    const speed = Math.abs(vx) + Math.abs(vy) + shape[i * SHAPE + EXTENT] * Math.abs(spin)
+    const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
     if (Math.max(speed, gain) > BALANCE) active++
     capSpeed(state, s)

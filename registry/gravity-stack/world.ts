@@ -73,7 +73,7 @@ import {
 import { carryHold, createHold, type Hold, prepareHold, recordHold, solveHold, throwVelocity } from './grab'
 import { clearImpacts, Impacts, reserveImpacts } from './impacts'
 import { find, findIslands, Islands, reserveIslands, rest } from './islands'
-import { enterPairs, leavePairs, Pairs, reservePairs, updatePairs } from './pairs'
+import { enterPairs, keepInBox, leavePairs, Pairs, reservePairs, updatePairs } from './pairs'
 import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
 
 export interface WorldOptions {
@@ -306,7 +306,7 @@ export function createWorld(options: WorldOptions) {
       before[i * 3 + 2] = state[i * STATE + ANGLE]
     }
     tally(bodies, awake, 0, awakeCount, ahead)
-    updatePairs(bodies, pairs, contacts, walls, awake, awakeCount)
+    updatePairs(bodies, pairs, contacts, walls, scene.gravity, awake, awakeCount)
     if (awakeCount < population) wakeStruck()
     findIslands(islands, scene, holds, awake, awakeCount)
     while (islands.struckCount > 0) {
@@ -392,7 +392,10 @@ export function createWorld(options: WorldOptions) {
       for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
       if (deep > 0) relieve(b0, b1, c0, end)
     }
-    for (let n = b0; n < b1; n++) keepInside(scene, islands.bodies[n])
+    for (let n = b0; n < b1; n++) {
+      keepInBox(bodies, pairs, contacts, islands.bodies[n])
+      keepInside(scene, islands.bodies[n])
+    }
     if (free) return
     weigh(b0, b1, 2)
     const moving = energies[2]
