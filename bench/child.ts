@@ -38,7 +38,7 @@ function quantile(values: Float64Array, q: number) {
 }
 
 /** ms after which a pour of four seconds is given up. */
-const limit = 12_000
+const limit = 24_000
 /** ms of a run that is not played again at once: noise is a small part of it. */
 const long = 400
 

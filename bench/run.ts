@@ -308,7 +308,7 @@ const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
   chips,
   shape: 'pills' as const,
   seeds: quick ? 1 : pourSeeds(chips),
-  warmUp: quick ? 300 : 600,
+  warmUp: quick ? 150 : 600,
 })
 const pourOf = (contestant: Contestant, chips: number, round = 0) =>
   outcomeOf(pourJob(contestant, chips), round)

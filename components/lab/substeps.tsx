@@ -12,7 +12,7 @@ const count = 30
 const stage = pourStage(count)
 const chips = pourChips('pills', count, 7)
 const frames = 151
-const choices = [1, 2, 4, 8, 16]
+const choices = [1, 2, 3, 6, 12]
 /** px of overlap from which a chip is drawn in alarm, and px at the top of the graph. */
 const visible = 0.5
 const graphTop = 16
@@ -34,7 +34,7 @@ function overlapping(states: State[]) {
 
 export function SubstepsFigure() {
   const id = useId()
-  const [substeps, setSubsteps] = useState(8)
+  const [substeps, setSubsteps] = useState(6)
   const film = useLazy(() => record({ ...stage, substeps }, chips, (frames - 1) / 60), [substeps])
   const overlaps = useLazy(
     () => film().frames.map((states) => worstOverlap(chips, states, stage)),
@@ -44,7 +44,7 @@ export function SubstepsFigure() {
 
   return (
     <Figure
-      label="Thirty pills are poured. With one sub-step they overlap as they land, with eight they hardly do."
+      label="Thirty pills are poured. With one sub-step they overlap as they land, with six they hardly do."
       width={stage.width}
       height={stage.height + graphHeight}
       frames={frames}
