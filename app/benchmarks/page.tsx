@@ -160,8 +160,8 @@ export default function Benchmarks() {
       <Section id="chips" title="Cost by number of chips">
         <p className="max-w-3xl text-muted-foreground leading-relaxed">
           Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four seconds:
-          fall, landing and rest. Each engine as it comes. A pour that took longer than 24 seconds was
-          given up, one that had no hope to end sooner not begun: what it costs at least stands behind a &gt;.
+          fall, landing and rest. Each engine as it comes. A pour that took longer than 24 seconds was given
+          up, one that had no hope to end sooner not begun: what it costs at least stands behind a &gt;.
         </p>
         <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 lg:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
           <figure className="rounded-2xl border bg-panel p-3">
