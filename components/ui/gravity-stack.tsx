@@ -364,6 +364,22 @@ function turn(state: Float64Array, motion: Float64Array, i: number): void {
   motion[m + TURNED] = angle
 }
 
+/** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
+const extents: Float64Array = new Float64Array(2)
+
+/** Leaves in `extents` how far body `i`, `give` px thinner all round, reaches at its present angle, or turned on by up to `swing` px at its end. */
+function halfExtents({ state, motion, shape }: Bodies, i: number, give: number, swing: number): void {
+  turn(state, motion, i)
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
+  const hx = shape[i * SHAPE + HX]
+  const hy = shape[i * SHAPE + HY]
+  const r = shape[i * SHAPE + RADIUS] - give
+  const core = shape[i * SHAPE + CORE]
+  extents[X] = Math.min(core, hx * c + hy * n + swing) + r
+  extents[Y] = Math.min(core, hx * n + hy * c + swing) + r
+}
+
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies
@@ -1308,30 +1324,14 @@ function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
-/** px, half the width and half the height of the body that `halfExtents` looked at. */
-const half: Float64Array = new Float64Array(2)
-
-/** Leaves in `half` how far body `i` reaches from its centre at its present angle, or turned on by up to `swing` px at its end. */
-function halfExtents({ state, motion, shape }: Bodies, i: number, swing: number): void {
-  turn(state, motion, i)
-  const c = Math.abs(motion[i * MOTION + COS])
-  const n = Math.abs(motion[i * MOTION + SIN])
-  const hx = shape[i * SHAPE + HX]
-  const hy = shape[i * SHAPE + HY]
-  const r = shape[i * SHAPE + RADIUS]
-  const core = shape[i * SHAPE + CORE]
-  half[X] = Math.min(core, hx * c + hy * n + swing) + r
-  half[Y] = Math.min(core, hx * n + hy * c + swing) + r
-}
-
 /** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
 function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
   const { state, shape } = bodies
   const s = i * STATE
   // A chip that spins reaches further before the step is over.
-  halfExtents(bodies, i, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
-  const ex = half[X]
-  const ey = half[Y]
+  halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  const ex = extents[X]
+  const ey = extents[Y]
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
   const fall = 0.5 * gravity * STEP * STEP
@@ -1419,15 +1419,12 @@ function updatePairs(
       if (box[i * 4 + 1] > box[j * 4 + 3] || box[j * 4 + 1] > box[i * 4 + 3]) continue
       if (!marked) {
         marked = true
-        for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-          partner[contacts.pair[edge ^ 1]] = i
+        markPartners(partner, contacts, i, i)
       }
       if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
     }
     // The marks of one body must not outlive it.
-    if (marked)
-      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-        partner[contacts.pair[edge ^ 1]] = 0
+    if (marked) markPartners(partner, contacts, i, 0)
   }
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
 }
@@ -1440,30 +1437,36 @@ function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number):
   const { box, order, partner } = pairs
   const { state } = bodies
   const k = i * 4
-  halfExtents(bodies, i, 0)
-  const ex = half[X]
-  const ey = half[Y]
+  halfExtents(bodies, i, 0, 0)
+  const ex = extents[X]
+  const ey = extents[Y]
   const x = state[i * STATE + X]
   const y = state[i * STATE + Y]
   if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
   const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
   const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
-  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-    partner[contacts.pair[edge ^ 1]] = i
+  markPartners(partner, contacts, i, i)
   for (let b = 0; b < pairs.sorted; b++) {
     const j = order[b]
     if (j === i || partner[j] === i) continue
-    halfExtents(bodies, j, 0)
+    halfExtents(bodies, j, 0, 0)
     const otherX = state[j * STATE + X]
     const otherY = state[j * STATE + Y]
-    if (Math.min(x, backX) - ex > otherX + half[X] || Math.max(x, backX) + ex < otherX - half[X]) continue
-    if (Math.min(y, backY) - ey > otherY + half[Y] || Math.max(y, backY) + ey < otherY - half[Y]) continue
+    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
+      continue
+    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
+      continue
     state[i * STATE + X] = backX
     state[i * STATE + Y] = backY
     break
   }
+  markPartners(partner, contacts, i, 0)
+}
+
+/** Marks all that body `i` has a contact with, or takes the marks away. */
+function markPartners(partner: Int32Array, contacts: Contacts, i: number, mark: number): void {
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-    partner[contacts.pair[edge ^ 1]] = 0
+    partner[contacts.pair[edge ^ 1]] = mark
 }
 
 function overlap(box: Float64Array, i: number, j: number): boolean {
@@ -2264,26 +2267,18 @@ function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void
 
 /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
 function keepInside({ bodies, walls }: Scene, i: number): void {
-  const { state, motion, shape } = bodies
-  const far = shape[i * SHAPE + EXTENT]
-  const atX = state[i * STATE + X]
-  const atY = state[i * STATE + Y]
-  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
-  turn(state, motion, i)
-  const c = Math.abs(motion[i * MOTION + COS])
-  const n = Math.abs(motion[i * MOTION + SIN])
-  const hx = shape[i * SHAPE + HX]
-  const hy = shape[i * SHAPE + HY]
-  const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
-  const ex = hx * c + hy * n + r
-  const ey = hx * n + hy * c + r
+  const { state, shape } = bodies
   const s = i * STATE
+  const far = shape[i * SHAPE + EXTENT]
+  const atX = state[s + X]
+  const atY = state[s + Y]
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+  halfExtents(bodies, i, WALL_GIVE, 0)
+  const ex = extents[X]
   // What fits at no turn stands at the left wall.
   const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-  const x = Math.min(Math.max(state[s + X], ex), right)
-  const y = Math.min(state[s + Y], walls.height - ey)
-  state[s + X] = x
-  state[s + Y] = y
+  state[s + X] = Math.min(Math.max(atX, ex), right)
+  state[s + Y] = Math.min(atY, walls.height - extents[Y])
 }
 
 /**

@@ -223,6 +223,22 @@ export function turn(state: Float64Array, motion: Float64Array, i: number): void
   motion[m + TURNED] = angle
 }
 
+/** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
+export const extents: Float64Array = new Float64Array(2)
+
+/** Leaves in `extents` how far body `i`, `give` px thinner all round, reaches at its present angle, or turned on by up to `swing` px at its end. */
+export function halfExtents({ state, motion, shape }: Bodies, i: number, give: number, swing: number): void {
+  turn(state, motion, i)
+  const c = Math.abs(motion[i * MOTION + COS])
+  const n = Math.abs(motion[i * MOTION + SIN])
+  const hx = shape[i * SHAPE + HX]
+  const hy = shape[i * SHAPE + HY]
+  const r = shape[i * SHAPE + RADIUS] - give
+  const core = shape[i * SHAPE + CORE]
+  extents[X] = Math.min(core, hx * c + hy * n + swing) + r
+  extents[Y] = Math.min(core, hx * n + hy * c + swing) + r
+}
+
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 export function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies

@@ -1,18 +1,13 @@
 import {
   type Bodies,
   CORE,
-  COS,
+  extents,
   grown,
-  HX,
-  HY,
-  MOTION,
+  halfExtents,
   narrowest,
-  RADIUS,
   SHAPE,
-  SIN,
   SPIN,
   STATE,
-  turn,
   VX,
   VY,
   X,
@@ -65,30 +60,14 @@ export function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
-/** px, half the width and half the height of the body that `halfExtents` looked at. */
-const half: Float64Array = new Float64Array(2)
-
-/** Leaves in `half` how far body `i` reaches from its centre at its present angle, or turned on by up to `swing` px at its end. */
-function halfExtents({ state, motion, shape }: Bodies, i: number, swing: number): void {
-  turn(state, motion, i)
-  const c = Math.abs(motion[i * MOTION + COS])
-  const n = Math.abs(motion[i * MOTION + SIN])
-  const hx = shape[i * SHAPE + HX]
-  const hy = shape[i * SHAPE + HY]
-  const r = shape[i * SHAPE + RADIUS]
-  const core = shape[i * SHAPE + CORE]
-  half[X] = Math.min(core, hx * c + hy * n + swing) + r
-  half[Y] = Math.min(core, hx * n + hy * c + swing) + r
-}
-
 /** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
 function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
   const { state, shape } = bodies
   const s = i * STATE
   // A chip that spins reaches further before the step is over.
-  halfExtents(bodies, i, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
-  const ex = half[X]
-  const ey = half[Y]
+  halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  const ex = extents[X]
+  const ey = extents[Y]
   const goX = state[s + VX] * STEP
   const goY = state[s + VY] * STEP
   const fall = 0.5 * gravity * STEP * STEP
@@ -176,15 +155,12 @@ export function updatePairs(
       if (box[i * 4 + 1] > box[j * 4 + 3] || box[j * 4 + 1] > box[i * 4 + 3]) continue
       if (!marked) {
         marked = true
-        for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-          partner[contacts.pair[edge ^ 1]] = i
+        markPartners(partner, contacts, i, i)
       }
       if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
     }
     // The marks of one body must not outlive it.
-    if (marked)
-      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-        partner[contacts.pair[edge ^ 1]] = 0
+    if (marked) markPartners(partner, contacts, i, 0)
   }
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
 }
@@ -197,30 +173,36 @@ export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: n
   const { box, order, partner } = pairs
   const { state } = bodies
   const k = i * 4
-  halfExtents(bodies, i, 0)
-  const ex = half[X]
-  const ey = half[Y]
+  halfExtents(bodies, i, 0, 0)
+  const ex = extents[X]
+  const ey = extents[Y]
   const x = state[i * STATE + X]
   const y = state[i * STATE + Y]
   if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
   const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
   const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
-  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-    partner[contacts.pair[edge ^ 1]] = i
+  markPartners(partner, contacts, i, i)
   for (let b = 0; b < pairs.sorted; b++) {
     const j = order[b]
     if (j === i || partner[j] === i) continue
-    halfExtents(bodies, j, 0)
+    halfExtents(bodies, j, 0, 0)
     const otherX = state[j * STATE + X]
     const otherY = state[j * STATE + Y]
-    if (Math.min(x, backX) - ex > otherX + half[X] || Math.max(x, backX) + ex < otherX - half[X]) continue
-    if (Math.min(y, backY) - ey > otherY + half[Y] || Math.max(y, backY) + ey < otherY - half[Y]) continue
+    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
+      continue
+    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
+      continue
     state[i * STATE + X] = backX
     state[i * STATE + Y] = backY
     break
   }
+  markPartners(partner, contacts, i, 0)
+}
+
+/** Marks all that body `i` has a contact with, or takes the marks away. */
+function markPartners(partner: Int32Array, contacts: Contacts, i: number, mark: number): void {
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-    partner[contacts.pair[edge ^ 1]] = 0
+    partner[contacts.pair[edge ^ 1]] = mark
 }
 
 function overlap(box: Float64Array, i: number, j: number): boolean {

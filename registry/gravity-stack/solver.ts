@@ -3,14 +3,13 @@ import {
   ANGLE,
   BRAKE,
   CORE,
-  COS,
   DRIFT_ANGLE,
   DRIFT_X,
   DRIFT_Y,
   EXTENT,
+  extents,
   HORIZON,
-  HX,
-  HY,
+  halfExtents,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -22,13 +21,10 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
-  RADIUS,
   SHAPE,
-  SIN,
   SPIN,
   STATE,
   TRAVEL,
-  turn,
   VX,
   VY,
   X,
@@ -568,26 +564,18 @@ export function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number
 
 /** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
 export function keepInside({ bodies, walls }: Scene, i: number): void {
-  const { state, motion, shape } = bodies
-  const far = shape[i * SHAPE + EXTENT]
-  const atX = state[i * STATE + X]
-  const atY = state[i * STATE + Y]
-  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
-  turn(state, motion, i)
-  const c = Math.abs(motion[i * MOTION + COS])
-  const n = Math.abs(motion[i * MOTION + SIN])
-  const hx = shape[i * SHAPE + HX]
-  const hy = shape[i * SHAPE + HY]
-  const r = shape[i * SHAPE + RADIUS] - WALL_GIVE
-  const ex = hx * c + hy * n + r
-  const ey = hx * n + hy * c + r
+  const { state, shape } = bodies
   const s = i * STATE
+  const far = shape[i * SHAPE + EXTENT]
+  const atX = state[s + X]
+  const atY = state[s + Y]
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+  halfExtents(bodies, i, WALL_GIVE, 0)
+  const ex = extents[X]
   // What fits at no turn stands at the left wall.
   const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-  const x = Math.min(Math.max(state[s + X], ex), right)
-  const y = Math.min(state[s + Y], walls.height - ey)
-  state[s + X] = x
-  state[s + Y] = y
+  state[s + X] = Math.min(Math.max(atX, ex), right)
+  state[s + Y] = Math.min(atY, walls.height - extents[Y])
 }
 
 /**
