@@ -45,8 +45,7 @@ function asked(scene: FuzzScene) {
   return {
     // What starts in something else is lifted when they part, and a hand or a wall does work.
     energy: untouched && clear && gravity >= 0,
-    // Heavier than that, one that falls on another shoots it away, whatever they started in.
-    recovery: untouched && still && gravity >= 0 && even,
+    recovery: untouched && still && gravity >= 0,
     asleep: calm && fits && even,
     overlap: fits && even,
     hanging: gravity > 0,

@@ -64,8 +64,11 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 /** How many chips a large pile has; these are filmed in two settings, and cost what pours of as many cost. */
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
-/** ms into a run after which costs that were measured once are not measured again: the whole stays below twenty minutes. */
+/** ms into a run after which pours, and scenes, that were timed once are not timed again: the whole stays below twenty minutes. */
+const enoughPours = 5 * 60_000
 const enough = 17 * 60_000
+/** Seeds from which a chaotic scene is filmed at other settings than the default. */
+const fewSeeds = 4
 /** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
 const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 200 : 90)
 /** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
@@ -233,13 +236,13 @@ type Player = (round: number) => Job | null
  * Lets engines take turns, round after round, one at a time, each in a process that it keeps. The first round is for
  * all, what comes after it for as long as there is time.
  */
-async function takeTurns(title: string, players: Player[]) {
+async function takeTurns(title: string, players: Player[], until: number) {
   const progress = progressOf(title, players.length * mostRounds)
   const table = players.map((jobOf) => ({ jobOf, seat: undefined as Turns | undefined, out: false }))
   for (let round = 0; round < mostRounds; round++) {
     for (const player of table) {
       stopIfLate()
-      if (player.out || (round > 0 && performance.now() >= enough)) continue
+      if (player.out || (round > 0 && performance.now() >= until)) continue
       const job = player.jobOf(round)
       if (!job) {
         // Who is out makes room: some hold a hundred megabytes.
@@ -294,10 +297,10 @@ const pourFrames = 240
 type Contestant = { engine: string; setting: Setting }
 const allSizes = quick ? [12, 60, 250] : [12, 60, 250, 1000, 4000]
 const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
-// Few chips are swept as scenes of their own; more are poured at a second setting, and slow engines' largest piles not.
+// Few chips are swept as scenes of their own; more are poured at a second setting, but not by slow engines.
 const contestants = (chips: number): Contestant[] =>
   engines.flatMap((engine) => {
-    const two = !quick && (chips === 250 || (chips === 1000 && !engine.slow))
+    const two = !quick && !engine.slow && (chips === 250 || chips === 1000)
     const settings = two ? [engine.settings[0], engine.accurate] : [engine.settings[0]]
     return settings.map((setting) => ({ engine: engine.name, setting }))
   })
@@ -344,26 +347,26 @@ async function timePours() {
           return pourJob(contestant, chips)
         },
     )
-    await takeTurns(`cost of ${chips} chips`, players)
+    await takeTurns(`cost of ${chips} chips`, players, enoughPours)
   }
 }
 
 // Pours come first: whoever is given up there needs no film of as many.
 if (!options.errors) await timing(timePours)
 
-/** Settings to film together, and from how many seeds. Whoever is slow is filmed as it comes, and briefly else. */
+/** Settings to film together, and from how many seeds: all as it comes, a few else. Whoever is slow is filmed more briefly. */
 function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
   const [first, ...others] = engine.settings
   if (quick) return [{ settings: [first], seeds: Math.min(2, scene.seeds) }]
   const large = largeSize(scene)
   if (large) {
-    const settings = engine.slow && large === 1000 ? [first] : [first, engine.accurate]
-    return settings.map((setting) => ({ settings: [setting], seeds: engine.slow ? 1 : scene.seeds }))
+    if (engine.slow) return large < 1000 ? [{ settings: [first], seeds: 1 }] : []
+    return [first, engine.accurate].map((setting) => ({ settings: [setting], seeds: scene.seeds }))
   }
-  if (!engine.slow || scene.seeds === 1) return [{ settings: engine.settings, seeds: scene.seeds }]
+  if (scene.seeds === 1) return [{ settings: engine.settings, seeds: 1 }]
   return [
-    { settings: [first], seeds: scene.seeds },
-    { settings: others, seeds: 1 },
+    { settings: [first], seeds: engine.slow ? fewSeeds : scene.seeds },
+    { settings: others, seeds: engine.slow ? 1 : fewSeeds },
   ]
 }
 
@@ -456,7 +459,7 @@ async function timeScenes() {
           return job
         },
     )
-    await takeTurns(`cost of ${scene.name}`, players)
+    await takeTurns(`cost of ${scene.name}`, players, enough)
   }
 }
 
