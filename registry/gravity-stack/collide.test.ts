@@ -159,6 +159,27 @@ describe('two chips', () => {
     expect(pairs).toBeGreaterThan(1000)
   })
 
+  it.each([14, 8])(
+    'that lie almost in line on one another have a point at either end: corners of %i px',
+    (radius) => {
+      const shape = { width: 80, height: 28, radius }
+      for (const tilt of [-0.02, -0.005, 0.005, 0.02]) {
+        // Where neither end of the nearer side lies beside the other chip, two ends are nearest.
+        for (let shift = -0.6; shift < 0.61; shift += 0.05) {
+          const { points } = contact(
+            shape,
+            { x: 0, y: 0, angle: 0 },
+            shape,
+            { x: shift, y: -28.5, angle: tilt },
+            2.5,
+          )
+          const [left, right] = points.map(({ onA }) => onA.x).sort((a, b) => a - b)
+          expect(right - left).toBeGreaterThan(2 * (40 - radius) - 2)
+        }
+      }
+    },
+  )
+
   it('see the same contact from either side', () => {
     for (const { a, poseA, b, poseB, apart } of random10k.slice(0, 3000)) {
       if (apart < 0) continue

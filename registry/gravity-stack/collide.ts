@@ -99,6 +99,22 @@ function closest(): void {
   line[T] = t
 }
 
+/**
+ * Two segments that are nearest at their ends S and T, seen along the normal: whether they reach back beside each other. S and T
+ * then are where the shorter one ends: what lies nearly in line may meet there next.
+ */
+function reachBack(): boolean {
+  const nx = touch[NORMAL_X]
+  const ny = touch[NORMAL_Y]
+  const u = line[S] * (line[UX] * ny - line[UY] * nx)
+  const v = line[T] * (line[EDGE_X] * ny - line[EDGE_Y] * nx)
+  const back = 2 * Math.min(Math.abs(u), Math.abs(v))
+  if (!(u * v > 0)) return false
+  line[S] *= 1 - back / Math.abs(u)
+  line[T] *= 1 - back / Math.abs(v)
+  return true
+}
+
 /** Two pills (or discs): closest points, and a second point where they lie side by side. */
 function collideSegments(bodies: Bodies, a: number, b: number): void {
   const { state, motion, shape } = bodies
@@ -224,6 +240,20 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     touch[BY] = t * vy
     touch[GAP] = gap
     touch[FEATURE] = onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0
+    if (!onA && !onB && reachBack()) {
+      const s2 = line[S]
+      const t2 = line[T]
+      const gap2 = (px + t2 * vx - s2 * ux) * nx + (py + t2 * vy - s2 * uy) * ny - radii
+      if (gap2 <= touch[WIDEST]) {
+        touch[COUNT] = 2
+        touch[POINT + AX] = s2 * ux
+        touch[POINT + AY] = s2 * uy
+        touch[POINT + BX] = t2 * vx
+        touch[POINT + BY] = t2 * vy
+        touch[POINT + GAP] = gap2
+        touch[POINT + FEATURE] = s2 === -s ? (s > 0 ? 0 : 1) : t > 0 ? 4 : 5
+      }
+    }
   }
   finish(shape, a, b)
 }
@@ -376,6 +406,22 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
         touch[its + 1] = my + ey * t - oy
         touch[GAP] = gap
         touch[FEATURE] = own + (s > 0 ? 1 : 0)
+        if (reachBack()) {
+          const rx2 = fx * depth + gx * half * line[S]
+          const ry2 = fy * depth + gy * half * line[S]
+          const qx2 = mx + ex * line[T]
+          const qy2 = my + ey * line[T]
+          const gap2 = ((qx2 - rx2) * dx + (qy2 - ry2) * dy) / distance - radii
+          if (gap2 <= touch[WIDEST]) {
+            touch[COUNT] = 2
+            touch[POINT + mine] = rx2
+            touch[POINT + mine + 1] = ry2
+            touch[POINT + its] = qx2 - ox
+            touch[POINT + its + 1] = qy2 - oy
+            touch[POINT + GAP] = gap2
+            touch[POINT + FEATURE] = line[S] === -s ? own + (s > 0 ? 0 : 1) : other + (t > 0 ? 0 : 1)
+          }
+        }
         finish(shape, a, b)
         return
       }
