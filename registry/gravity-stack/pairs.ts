@@ -13,7 +13,7 @@ import {
   X,
   Y,
 } from './body'
-import type { Walls } from './collide'
+import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, type Walls, WIDEST } from './collide'
 import { SKIN, STEP } from './constants'
 import { addContact, type Contacts, removeContact } from './contacts'
 
@@ -181,6 +181,12 @@ export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: n
   if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
   const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
   const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  state[i * STATE + X] = backX
+  state[i * STATE + Y] = backY
+  const goX = x - backX
+  const goY = y - backY
+  let share = 1
+  touch[WIDEST] = Infinity
   markPartners(partner, contacts, i, i)
   for (let b = 0; b < pairs.sorted; b++) {
     const j = order[b]
@@ -192,10 +198,13 @@ export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: n
       continue
     if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
       continue
-    state[i * STATE + X] = backX
-    state[i * STATE + Y] = backY
-    break
+    // As far as the line between the two lets it go, which is never into it.
+    collide(bodies, i, j)
+    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
+    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
   }
+  state[i * STATE + X] = backX + share * goX
+  state[i * STATE + Y] = backY + share * goY
   markPartners(partner, contacts, i, 0)
 }
 
