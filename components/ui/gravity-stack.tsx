@@ -54,7 +54,16 @@ const LIVELY = 100
 const SWEEPS_UNEVEN = 300
 const UNEVEN = 20
 /** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
-const SWEEP_BUDGET = 4000
+const SWEEP_BUDGET = 16_000
+/**
+ * Over-relaxation of the sweeps where an island has more contacts, and something faster (px/s), than this: loads get through a pile in fewer of
+ * them. A few contacts are solved at once without, and what hardly moves would ring.
+ */
+const RELAXATION = 1.3
+const CROWDED = 12
+const CREEP = 3
+/** px of overlap from which an island is not over-relaxed. */
+const CRUSHED = 1
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 const ROUNDS = 512
 /**
@@ -91,8 +100,12 @@ const MAX_PUSH = 4
 const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 const CLOSING_SHARE = 0.1
-/** px, gap below which a pair is handed to the solver before it touches. */
-const MARGIN = 0.5
+/**
+ * px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen; less where
+ * chips bounce, as what the sweeps stop does not.
+ */
+const MARGIN = 1.5
+const MARGIN_LIVELY_BOUNCE = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
@@ -103,7 +116,7 @@ const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 const STANDING = 0.0005
 /** px by which a broad-phase box is larger than its chip. */
-const SKIN = 8
+const SKIN = 5
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
@@ -537,6 +550,22 @@ function closest(): void {
   line[T] = t
 }
 
+/**
+ * Two segments that are nearest at their ends S and T, seen along the normal: whether they reach back beside each other. S and T
+ * then are where the shorter one ends: what lies nearly in line may meet there next.
+ */
+function reachBack(): boolean {
+  const nx = touch[NORMAL_X]
+  const ny = touch[NORMAL_Y]
+  const u = line[S] * (line[UX] * ny - line[UY] * nx)
+  const v = line[T] * (line[EDGE_X] * ny - line[EDGE_Y] * nx)
+  const back = 2 * Math.min(Math.abs(u), Math.abs(v))
+  if (!(u * v > 0)) return false
+  line[S] *= 1 - back / Math.abs(u)
+  line[T] *= 1 - back / Math.abs(v)
+  return true
+}
+
 /** Two pills (or discs): closest points, and a second point where they lie side by side. */
 function collideSegments(bodies: Bodies, a: number, b: number): void {
   const { state, motion, shape } = bodies
@@ -662,6 +691,20 @@ function collideSegments(bodies: Bodies, a: number, b: number): void {
     touch[BY] = t * vy
     touch[GAP] = gap
     touch[FEATURE] = onA ? (t > 0 ? 5 : 4) : s > 0 ? 1 : 0
+    if (!onA && !onB && reachBack()) {
+      const s2 = line[S]
+      const t2 = line[T]
+      const gap2 = (px + t2 * vx - s2 * ux) * nx + (py + t2 * vy - s2 * uy) * ny - radii
+      if (gap2 <= touch[WIDEST]) {
+        touch[COUNT] = 2
+        touch[POINT + AX] = s2 * ux
+        touch[POINT + AY] = s2 * uy
+        touch[POINT + BX] = t2 * vx
+        touch[POINT + BY] = t2 * vy
+        touch[POINT + GAP] = gap2
+        touch[POINT + FEATURE] = s2 === -s ? (s > 0 ? 0 : 1) : t > 0 ? 4 : 5
+      }
+    }
   }
   finish(shape, a, b)
 }
@@ -814,6 +857,22 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
         touch[its + 1] = my + ey * t - oy
         touch[GAP] = gap
         touch[FEATURE] = own + (s > 0 ? 1 : 0)
+        if (reachBack()) {
+          const rx2 = fx * depth + gx * half * line[S]
+          const ry2 = fy * depth + gy * half * line[S]
+          const qx2 = mx + ex * line[T]
+          const qy2 = my + ey * line[T]
+          const gap2 = ((qx2 - rx2) * dx + (qy2 - ry2) * dy) / distance - radii
+          if (gap2 <= touch[WIDEST]) {
+            touch[COUNT] = 2
+            touch[POINT + mine] = rx2
+            touch[POINT + mine + 1] = ry2
+            touch[POINT + its] = qx2 - ox
+            touch[POINT + its + 1] = qy2 - oy
+            touch[POINT + GAP] = gap2
+            touch[POINT + FEATURE] = line[S] === -s ? own + (s > 0 ? 0 : 1) : other + (t > 0 ? 0 : 1)
+          }
+        }
         finish(shape, a, b)
         return
       }
@@ -1022,6 +1081,8 @@ class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
+  relaxation = 0.5
 }
 
 function reserveHeads(contacts: Contacts, bodies: number): void {
@@ -1445,6 +1506,12 @@ function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number):
   if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
   const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
   const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  state[i * STATE + X] = backX
+  state[i * STATE + Y] = backY
+  const goX = x - backX
+  const goY = y - backY
+  let share = 1
+  touch[WIDEST] = Infinity
   markPartners(partner, contacts, i, i)
   for (let b = 0; b < pairs.sorted; b++) {
     const j = order[b]
@@ -1456,10 +1523,13 @@ function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number):
       continue
     if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
       continue
-    state[i * STATE + X] = backX
-    state[i * STATE + Y] = backY
-    break
+    // As far as the line between the two lets it go, which is never into it.
+    collide(bodies, i, j)
+    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
+    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
   }
+  state[i * STATE + X] = backX + share * goX
+  state[i * STATE + Y] = backY + share * goY
   markPartners(partner, contacts, i, 0)
 }
 
@@ -1861,6 +1931,7 @@ function prepare(
   const { motion, shape, moved } = bodies
   const pair = contacts.pair
   const ahead = AHEAD * h
+  const margin = scene.bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   impacts.first = impacts.phase
@@ -1877,7 +1948,7 @@ function prepare(
         live[end++] = c
         continue
       }
-    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + margin < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
     const vx = s[b + VX] - s[a + VX]
@@ -1894,7 +1965,7 @@ function prepare(
         coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
         coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
-        MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
+        margin + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
       const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
       const spare = touching ? loose - shift : d[k + CLEAR] - shift
       // Where the two move alike, less of their travel counts.
@@ -1967,7 +2038,7 @@ function bounce(
 }
 
 /** px, gap of contact `c` that its bodies may close in the sub-step. */
-function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: number): number {
+function nearing({ bodies: { state, shape }, contacts: { pair }, bounce, h }: Scene, c: number): number {
   const a = pair[2 * c]
   const b = pair[2 * c + 1]
   const way =
@@ -1975,7 +2046,7 @@ function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: 
     Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
     shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
     shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
-  return MARGIN + AHEAD * h * way
+  return (bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE) + AHEAD * h * way
 }
 
 /**
@@ -2016,17 +2087,19 @@ function close(scene: Scene, c: number): void {
     }
     d[p + CLOSING] = closing
     if (gap < -SLOP) part(scene, c, p, true)
+    // What is crushed asks for more than there can be: taken further still, it would be shot away.
+    if (gap < -CRUSHED) scene.relaxation = 1
   }
 }
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load. Returns how many contacts
- * it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
+ * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation. Returns
+ * how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
  * the last.
  */
 function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
-  const { bodies, contacts, friction, tolerance } = scene
+  const { bodies, contacts, friction, tolerance, relaxation } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -2066,7 +2139,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
     let change: number
     if (d[k + POINTS] === 1) {
       // ½(x + |x|) is max(0, x) without a branch, which nobody could predict here.
-      load = l1 - w1 * d[k + MASS]
+      load = l1 - relaxation * w1 * d[k + MASS]
       load = 0.5 * (load + Math.abs(load))
       normal = load - l1
       if (normal === 0 && load === 0) continue
@@ -2107,6 +2180,12 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
           if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
         }
       }
+      // Both of two points that are nearly one, taken further, would go twice as far.
+      const further = det > 0 ? relaxation : 1
+      p1 = l1 + further * (p1 - l1)
+      p2 = l2 + further * (p2 - l2)
+      if (p1 < 0) p1 = 0
+      if (p2 < 0) p2 = 0
       load = p1 + p2
       if (load === 0 && l1 + l2 === 0) continue
       d[k + LOAD] = p1
@@ -2129,7 +2208,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       const tb = d[k + TB]
       const old = d[k + DRAG]
       const limit = friction * load
-      t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      t = old - relaxation * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
@@ -3086,6 +3165,7 @@ function createWorld(options: WorldOptions) {
     const speed = fastest(b0, b1)
     const { linear, spin } = airFor(substeps)
     scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
     let sweeps =
@@ -3104,6 +3184,7 @@ function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
+      scene.relaxation = relaxation
       if (n > 0) tally(bodies, islands.bodies, b0, b1, ahead)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1)
       for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)

@@ -36,7 +36,16 @@ export const LIVELY = 100
 export const SWEEPS_UNEVEN = 300
 export const UNEVEN = 20
 /** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
-export const SWEEP_BUDGET = 4000
+export const SWEEP_BUDGET = 16_000
+/**
+ * Over-relaxation of the sweeps where an island has more contacts, and something faster (px/s), than this: loads get through a pile in fewer of
+ * them. A few contacts are solved at once without, and what hardly moves would ring.
+ */
+export const RELAXATION = 1.3
+export const CROWDED = 12
+export const CREEP = 3
+/** px of overlap from which an island is not over-relaxed. */
+export const CRUSHED = 1
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 export const ROUNDS = 512
 /**
@@ -73,8 +82,12 @@ export const MAX_PUSH = 4
 export const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 export const CLOSING_SHARE = 0.1
-/** px, gap below which a pair is handed to the solver before it touches. */
-export const MARGIN = 0.5
+/**
+ * px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen; less where
+ * chips bounce, as what the sweeps stop does not.
+ */
+export const MARGIN = 1.5
+export const MARGIN_LIVELY_BOUNCE = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 export const AHEAD = 1.25
 /** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
@@ -85,7 +98,7 @@ export const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 export const STANDING = 0.0005
 /** px by which a broad-phase box is larger than its chip. */
-export const SKIN = 8
+export const SKIN = 5
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2

@@ -35,12 +35,14 @@ import {
   AHEAD,
   BALANCE,
   CLOSING_SHARE,
+  CRUSHED,
   DEEP,
   IMPACT_ROUNDS,
   IMPACT_ROUNDS_DULL,
   LIVELY,
   LIVELY_BOUNCE,
   MARGIN,
+  MARGIN_LIVELY_BOUNCE,
   MAX_PUSH,
   MAX_SPEED,
   MISJUDGED,
@@ -158,6 +160,7 @@ export function prepare(
   const { motion, shape, moved } = bodies
   const pair = contacts.pair
   const ahead = AHEAD * h
+  const margin = scene.bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   impacts.first = impacts.phase
@@ -174,7 +177,7 @@ export function prepare(
         live[end++] = c
         continue
       }
-    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + margin < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
     const vx = s[b + VX] - s[a + VX]
@@ -191,7 +194,7 @@ export function prepare(
         coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
         coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
-        MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
+        margin + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
       const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
       const spare = touching ? loose - shift : d[k + CLEAR] - shift
       // Where the two move alike, less of their travel counts.
@@ -264,7 +267,7 @@ function bounce(
 }
 
 /** px, gap of contact `c` that its bodies may close in the sub-step. */
-function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: number): number {
+function nearing({ bodies: { state, shape }, contacts: { pair }, bounce, h }: Scene, c: number): number {
   const a = pair[2 * c]
   const b = pair[2 * c + 1]
   const way =
@@ -272,7 +275,7 @@ function nearing({ bodies: { state, shape }, contacts: { pair }, h }: Scene, c: 
     Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
     shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
     shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
-  return MARGIN + AHEAD * h * way
+  return (bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE) + AHEAD * h * way
 }
 
 /**
@@ -313,17 +316,19 @@ function close(scene: Scene, c: number): void {
     }
     d[p + CLOSING] = closing
     if (gap < -SLOP) part(scene, c, p, true)
+    // What is crushed asks for more than there can be: taken further still, it would be shot away.
+    if (gap < -CRUSHED) scene.relaxation = 1
   }
 }
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load. Returns how many contacts
- * it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
+ * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation. Returns
+ * how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
  * the last.
  */
 export function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
-  const { bodies, contacts, friction, tolerance } = scene
+  const { bodies, contacts, friction, tolerance, relaxation } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -363,7 +368,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
     let change: number
     if (d[k + POINTS] === 1) {
       // ½(x + |x|) is max(0, x) without a branch, which nobody could predict here.
-      load = l1 - w1 * d[k + MASS]
+      load = l1 - relaxation * w1 * d[k + MASS]
       load = 0.5 * (load + Math.abs(load))
       normal = load - l1
       if (normal === 0 && load === 0) continue
@@ -404,6 +409,12 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
           if (p2 < 0 || q1 + k12 * p2 < 0) p2 = 0
         }
       }
+      // Both of two points that are nearly one, taken further, would go twice as far.
+      const further = det > 0 ? relaxation : 1
+      p1 = l1 + further * (p1 - l1)
+      p2 = l2 + further * (p2 - l2)
+      if (p1 < 0) p1 = 0
+      if (p2 < 0) p2 = 0
       load = p1 + p2
       if (load === 0 && l1 + l2 === 0) continue
       d[k + LOAD] = p1
@@ -426,7 +437,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       const tb = d[k + TB]
       const old = d[k + DRAG]
       const limit = friction * load
-      t = old - d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      t = old - relaxation * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t

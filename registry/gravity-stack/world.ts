@@ -29,6 +29,8 @@ import {
   ANGULAR_DAMPING,
   BOUNCE,
   BOUNCE_THRESHOLD,
+  CREEP,
+  CROWDED,
   FRICTION,
   GRAVITY,
   IMPACT_SPREAD,
@@ -39,6 +41,7 @@ import {
   MARGIN,
   PARTINGS,
   PATIENCE,
+  RELAXATION,
   ROUNDS,
   SLOP,
   STEP,
@@ -352,6 +355,7 @@ export function createWorld(options: WorldOptions) {
     const speed = fastest(b0, b1)
     const { linear, spin } = airFor(substeps)
     scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
     let sweeps =
@@ -370,6 +374,7 @@ export function createWorld(options: WorldOptions) {
     for (let n = 0; n < substeps; n++) {
       round = (round + ROUNDS) & 0x3fffffff
       clearImpacts(impacts)
+      scene.relaxation = relaxation
       if (n > 0) tally(bodies, islands.bodies, b0, b1, ahead)
       end = prepare(scene, impacts, islands.contacts, live, c0, c1)
       for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
