@@ -39,11 +39,13 @@ test('drop() lets all chips fall anew, into the same pile', async ({ stage, page
   }
 })
 
-test('after drop() each chip waits out of sight for its turn', async ({ stage, page }) => {
+test('after drop() each chip waits out of sight for its turn', async ({ stage }) => {
   await stage.settled('extras')
-  await page.locator('#drop').click()
-  await expect(stage.chips.first()).toHaveAttribute('data-state', 'falling')
-  const seen = await stage.root.evaluate((root) => {
+  // In the page itself: on a busy machine all have been let go before an answer is back.
+  const seen = await stage.root.evaluate(async (root) => {
+    document.querySelector<HTMLElement>('#drop')?.click()
+    do await new Promise(requestAnimationFrame)
+    while (!root.querySelector('[data-state=falling]'))
     const { top } = root.getBoundingClientRect()
     const waiting = [...root.querySelectorAll('[data-state=waiting]')]
     return waiting.map((chip) => chip.getBoundingClientRect().bottom > top)
