@@ -1491,8 +1491,8 @@ function updatePairs(
 }
 
 /**
- * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Where that takes it into
- * one that it has no contact with, or past it, it waits at the edge of its box: its velocity stays, and the next step sees it come.
+ * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
  */
 function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
   const { box, order, partner } = pairs
@@ -1931,7 +1931,7 @@ function prepare(
   const { motion, shape, moved } = bodies
   const pair = contacts.pair
   const ahead = AHEAD * h
-  const margin = scene.bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
+  const margin = marginOf(scene)
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   impacts.first = impacts.phase
@@ -2038,7 +2038,9 @@ function bounce(
 }
 
 /** px, gap of contact `c` that its bodies may close in the sub-step. */
-function nearing({ bodies: { state, shape }, contacts: { pair }, bounce, h }: Scene, c: number): number {
+function nearing(scene: Scene, c: number): number {
+  const { state, shape } = scene.bodies
+  const { pair } = scene.contacts
   const a = pair[2 * c]
   const b = pair[2 * c + 1]
   const way =
@@ -2046,7 +2048,12 @@ function nearing({ bodies: { state, shape }, contacts: { pair }, bounce, h }: Sc
     Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
     shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
     shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
-  return (bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE) + AHEAD * h * way
+  return marginOf(scene) + AHEAD * scene.h * way
+}
+
+/** px, gap below which a pair is handed to the sweeps. */
+function marginOf({ bounce }: Scene): number {
+  return bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
 }
 
 /**
@@ -2094,9 +2101,9 @@ function close(scene: Scene, c: number): void {
 
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
- * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation. Returns
- * how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was stirred by as much in this round or
- * the last.
+ * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation.
+ * Returns how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was
+ * stirred by as much in this round or the last.
  */
 function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
   const { bodies, contacts, friction, tolerance, relaxation } = scene

@@ -184,15 +184,20 @@ describe('within one sub-step', () => {
   })
 })
 
+/** A bullet that is `61 + from` px short of a box, and a plate `gap` px behind that. */
+function bulletBoxPlate(from: number, gap: number) {
+  const box = { width: 30, height: 30, y: 200, angle: 0 }
+  return [
+    { ...box, x: 500 - 91 - from, vx: 3600 },
+    { ...box, x: 500 },
+    { width: 4, height: 200, x: 517 + gap, y: 200, angle: 0 },
+  ]
+}
+
 describe('what a bullet knocks away', () => {
   it.each([17, 20, 30])('comes right up to a plate that stands %i px behind it, and no nearer', (gap) => {
     for (let from = 0; from < 60; from += 5) {
-      const box = { width: 30, height: 30, y: 200, angle: 0 }
-      const chips = [
-        { ...box, x: 500 - 91 - from, vx: 3600 },
-        { ...box, x: 500 },
-        { width: 4, height: 200, x: 517 + gap, y: 200, angle: 0 },
-      ]
+      const chips = bulletBoxPlate(from, gap)
       const still = { gravity: 0, bounce: 1, linearDamping: 0 }
       const { world, ids } = worldOf(chips, { width: 2000, height: 400, ...still })
       // The bullet is there after 61 px and some, and 60 px is a step.
@@ -204,12 +209,7 @@ describe('what a bullet knocks away', () => {
   it.each([9, 17, 20, 30])('does not go through a plate of 4 px that stands %i px behind it', (gap) => {
     for (const bounce of [0.18, 1]) {
       for (let from = 0; from < 60; from += 5) {
-        const box = { width: 30, height: 30, y: 200, angle: 0 }
-        const chips = [
-          { ...box, x: 500 - 91 - from, vx: 3600 },
-          { ...box, x: 500 },
-          { width: 4, height: 200, x: 517 + gap, y: 200, angle: 0 },
-        ]
+        const chips = bulletBoxPlate(from, gap)
         const { world, ids } = worldOf(chips, { width: 2000, height: 400, gravity: 0, bounce })
         for (let k = 0; k < 12; k++) {
           world.step(frame)

@@ -166,8 +166,8 @@ export function updatePairs(
 }
 
 /**
- * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Where that takes it into
- * one that it has no contact with, or past it, it waits at the edge of its box: its velocity stays, and the next step sees it come.
+ * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
  */
 export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
   const { box, order, partner } = pairs
