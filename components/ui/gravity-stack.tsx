@@ -2955,6 +2955,7 @@ interface Grab {
 
 /** What the last call of `step` did, for tests and tools. */
 interface Stats {
+  /** Steps in which something was awake; others are not taken. */
   steps: number
   awake: number
   pairs: number
@@ -3444,7 +3445,7 @@ function createWorld(options: WorldOptions) {
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
-        stepOnce()
+        if (awakeCount > 0) stepOnce()
       }
     },
 

@@ -138,6 +138,7 @@ export interface Grab {
 
 /** What the last call of `step` did, for tests and tools. */
 export interface Stats {
+  /** Steps in which something was awake; others are not taken. */
   steps: number
   awake: number
   pairs: number
@@ -627,7 +628,7 @@ export function createWorld(options: WorldOptions) {
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
-        stepOnce()
+        if (awakeCount > 0) stepOnce()
       }
     },
 
