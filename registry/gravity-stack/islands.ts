@@ -280,9 +280,11 @@ export function rest(
       } else if (a > 0) unite(parent, least, a, b)
     }
   }
-  // What is in another when it falls asleep would stay so. The lists of this step are free by now.
+  // What is in another when it falls asleep would stay so, and what a blow in this very step has lifted would hang there.
+  // The lists of this step are free by now.
   let contactCount = 0
   let deep = false
+  let lifted = false
   for (let n = 0; n < islands.nearCount; n++) {
     const c = islands.near[n]
     const a = contacts.pair[2 * c]
@@ -293,12 +295,15 @@ export function rest(
     measure(bodies, contacts, scene.walls, c)
     contacts.measured++
     if (touch[DISTANCE] < -DEEP - SLOP) deep = true
+    const load = contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD]
+    if (touch[DISTANCE] > DEEP + SLOP && load > 0) lifted = true
   }
-  if (deep) {
+  if (deep || lifted) {
     let bodyCount = 0
     for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
     // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
-    if (straighten(scene, islands.live, contactCount, islands.bodies, bodyCount))
+    const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
+    if (parted || lifted)
       for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
   }
   let left = 0
