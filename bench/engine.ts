@@ -22,8 +22,10 @@ export type Engine = {
   settings: Setting[]
   /** the one of them for large piles, where sweeping all would take hours */
   accurate: Setting
-  /** takes so long that its pours are filmed from fewer seeds, and its largest piles only as it comes */
-  slow?: true
+  /** takes so long, or stands beside a faster build of its own, that its pours are filmed from fewer seeds and its largest piles only as it comes */
+  brief?: true
+  /** another build of the same engine, whose chips move by the same bits: its films stand for both */
+  sameBitsAs?: string
   load(): Promise<void>
   /** Without `sleep` everything stays awake, so that what is measured is the solver and not its sleep. */
   start(scene: Scene, chips: Chip[], setting: Setting, sleep: boolean): Run

@@ -65,10 +65,10 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms into a run after which pours, and scenes, that were timed once are not timed again: the whole stays below twenty minutes. */
-const enoughPours = 5 * 60_000
+const enoughPours = 4 * 60_000
 const enough = 17 * 60_000
 /** Seeds from which a chaotic scene is filmed at other settings than the default. */
-const fewSeeds = 4
+const fewSeeds = 3
 /** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
 const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 200 : 90)
 /** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
@@ -300,7 +300,7 @@ const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allS
 // Few chips are swept as scenes of their own; more are poured at a second setting, but not by slow engines.
 const contestants = (chips: number): Contestant[] =>
   engines.flatMap((engine) => {
-    const two = !quick && !engine.slow && (chips === 250 || chips === 1000)
+    const two = !quick && !engine.brief && (chips === 250 || chips === 1000)
     const settings = two ? [engine.settings[0], engine.accurate] : [engine.settings[0]]
     return settings.map((setting) => ({ engine: engine.name, setting }))
   })
@@ -354,21 +354,21 @@ async function timePours() {
 // Pours come first: whoever is given up there needs no film of as many.
 if (!options.errors) await timing(timePours)
 
-/** Settings to film together, and from how many seeds: all as it comes, a few else. Whoever is slow is filmed more briefly. */
+/** Settings to film together, and from how many seeds: all as it comes, a few else. */
 function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
   const [first, ...others] = engine.settings
   if (quick) return [{ settings: [first], seeds: Math.min(2, scene.seeds) }]
   const large = largeSize(scene)
   if (large) {
-    if (engine.slow) return large < 1000 ? [{ settings: [first], seeds: 1 }] : []
+    if (engine.brief) return large < 1000 ? [{ settings: [first], seeds: 1 }] : []
     return [first, engine.accurate].map((setting) => ({ settings: [setting], seeds: scene.seeds }))
   }
   if (scene.seeds === 1) return [{ settings: engine.settings, seeds: 1 }]
   // Pills say how exact a slow engine can be; of other shapes two settings do.
-  const swept = !engine.slow || scene.name.startsWith('pour-pills') ? others : [engine.accurate]
+  const swept = !engine.brief || scene.name.startsWith('pour-pills') ? others : [engine.accurate]
   return [
-    { settings: [first], seeds: engine.slow ? fewSeeds : scene.seeds },
-    { settings: swept, seeds: engine.slow ? 1 : fewSeeds },
+    { settings: [first], seeds: engine.brief ? fewSeeds : scene.seeds },
+    { settings: swept, seeds: engine.brief ? 1 : fewSeeds },
   ]
 }
 
@@ -378,8 +378,11 @@ const singles = (kind: 'asleep' | 'allocation') =>
 // Neither errors nor bytes depend on what else the machine does: two at a time, those that take longest first.
 type ErrorJob = Extract<Job, { kind: 'errors' }>
 const takesLong = (engine: Engine, scene: Scene) =>
-  largeSize(scene) > 0 || (engine.slow && /^pour/.test(scene.name)) ? 0 : 1
+  largeSize(scene) > 0 || (engine.brief && /^pour/.test(scene.name)) ? 0 : 1
+/** The engine whose films stand for those of this one. */
+const filmedAs = (engine: Engine) => engines.find(({ name }) => name === engine.sameBitsAs) ?? engine
 let errorJobs: ErrorJob[] = engines
+  .filter((engine) => filmedAs(engine) === engine)
   .flatMap((engine) => chosenScenes.map((scene) => ({ engine, scene })))
   .filter(({ engine, scene }) => {
     const chips = largeSize(scene)
@@ -413,7 +416,7 @@ const errors: ErrorRow[] = engines.flatMap((engine) =>
   chosenScenes.flatMap((scene) =>
     engine.settings.flatMap((setting) => {
       for (const job of errorJobs) {
-        const rows = job.engine === engine.name && job.scene === scene.name && outcomeOf(job)
+        const rows = job.engine === filmedAs(engine).name && job.scene === scene.name && outcomeOf(job)
         const i = job.settings.findIndex((other) => settingName(other) === settingName(setting))
         if (!rows || i < 0) continue
         const values = rows[i].map((value) => (Number.isFinite(value) ? value : null))
@@ -552,7 +555,12 @@ const missing: MissingRow[] = engines.flatMap((engine) =>
         if (error && sceneCosts.some(isThis)) return []
         const job = error
           ? sceneJobs[0].find((job) => isThis({ ...job, setting }))
-          : errorJobs.findLast((job) => isThis({ ...job, setting }) && failures.has(task(job).key))
+          : errorJobs.findLast(
+              (job) =>
+                isThis({ ...job, engine: engine.name, setting }) &&
+                job.engine === filmedAs(engine).name &&
+                failures.has(task(job).key),
+            )
         const pour = pourCosts.find(
           (row) => isThis({ ...row, scene: scene.name }) && row.chips === largeSize(scene),
         )

@@ -32,6 +32,7 @@ function box2d(name: string, build: keyof typeof builds): Engine {
       { substeps: 32, hertz: stiff },
     ],
     accurate: { substeps: 8, hertz: stiff },
+    ...(name === 'box2d3-wasm' ? { sameBitsAs: 'box2d3-wasm-simd' } : {}),
     async load() {
       const { default: factory } = (await builds[build]()) as { default: () => Promise<Box2D> }
       b2 ??= await factory()

@@ -31,7 +31,7 @@ export const circleChains = {
     { steps: 8, passes: 8 },
   ],
   accurate: { steps: 8, passes: 8 },
-  slow: true,
+  brief: true,
   async load() {},
   start(scene: Pick<Scene, 'width' | 'height' | 'conditions'>, chips: Chip[], { steps, passes }: Setting) {
     const { gravity, friction, bounce, bounceThreshold, linearDamping, angularDamping } = scene.conditions

@@ -20,7 +20,7 @@ export const matter: Engine = {
     { substeps: 4, velocity: 4, position: 6, trueInertia: 1 },
   ],
   accurate: { substeps: 8, velocity: 10, position: 10 },
-  slow: true,
+  brief: true,
   async load() {},
   start(scene, chips, { substeps, velocity, position, trueInertia }, sleep) {
     const { conditions } = scene

@@ -17,7 +17,7 @@ export const p2es: Engine = {
     { substeps: 16, iterations: 10, stiffness: 1e7 },
   ],
   accurate: { substeps: 8, iterations: 10, stiffness: 1e7 },
-  slow: true,
+  brief: true,
   async load() {},
   start(scene, chips, { substeps, iterations, stiffness }, sleep) {
     const { conditions } = scene

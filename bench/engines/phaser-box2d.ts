@@ -23,6 +23,7 @@ export const phaserBox2d: Engine = {
     { substeps: 32, hertz: stiff },
   ],
   accurate: { substeps: 8, hertz: stiff },
+  brief: true,
   async load() {
     // @ts-expect-error no types in the package, and its "main" names a file that is not there
     b2 ??= await import('../../node_modules/phaser-box2d/dist/PhaserBox2D.js')

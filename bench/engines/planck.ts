@@ -17,7 +17,7 @@ export const planck: Engine = {
     { substeps: 16, velocity: 8, position: 3 },
   ],
   accurate: { substeps: 4, velocity: 8, position: 3 },
-  slow: true,
+  brief: true,
   async load() {},
   start(scene, chips, { substeps, velocity, position }, sleep) {
     const { conditions } = scene

@@ -30,6 +30,7 @@ function rapier(name: string, build: keyof typeof builds): Engine {
       { iterations: 4, frames: 4, hertz: 240 },
     ],
     accurate: { iterations: 8, hertz: 120 },
+    ...(build === 'rapier2d-compat' ? { brief: true } : {}),
     async load() {
       api ??= await builds[build]()
       await api.init()
