@@ -303,8 +303,7 @@ export function rest(
     for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
     // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
     const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
-    if (parted || lifted)
-      for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
+    if (parted || lifted) for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
   }
   let left = 0
   for (let n = 0; n < count; n++) {
