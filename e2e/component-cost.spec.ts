@@ -150,7 +150,7 @@ test('bringing 60 chips to life lays the page out once, the first release includ
 })
 
 test('no chip that is released, falls, lands or falls asleep lays the page out', async ({ stage, page }) => {
-  await stage.open('pile', { chips: 20, stagger: 80, shape: 'all' })
+  await stage.open('pile', { chips: 20, stagger: 200, shape: 'all' })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'falling')
   const layouts = await layoutsFromNow(page)
   expect(await stage.states()).toContain('waiting')

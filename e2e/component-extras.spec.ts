@@ -30,10 +30,12 @@ test('onSettle is called once each time the pile comes to rest, and for nothing 
 test('drop() lets all chips fall anew, into the same pile', async ({ stage, page }) => {
   await stage.settled('extras')
   const { poses } = await stage.pile()
+  await stage.probe((probe) => probe.releases.splice(0))
   await page.locator('#drop').click()
   await stage.reaches('running')
-  expect(await stage.states()).toContain('waiting')
   await stage.reaches('resting')
+  const released = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
+  expect(released.toSorted()).toEqual([...poses.keys()])
   for (const [i, { x, y }] of (await stage.pile()).poses.entries()) {
     expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(0.3)
   }
