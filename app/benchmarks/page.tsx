@@ -230,9 +230,9 @@ export default function Benchmarks() {
           <li>
             Engines take turns, each scene in a process of its own. Costs are the mean frame of a scene’s
             first six seconds, of a pour of 250 and more its first four, and the median of {results.rounds}{' '}
-            rounds{spreads}. Only a peer whose run takes longer than 0.2 s and more than twice as long as ours
-            is timed once. Differences under five per cent count as none, and errors below 10⁻⁹ px or 10⁻⁴ of
-            a pile’s weight as zero.
+            rounds{spreads}. Timed once are peers whose run takes longer than 0.2 s and more than twice as
+            long as ours, and what there is no time for again: “rounds” in the raw data says so. Differences
+            under five per cent count as none, and errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
           </li>
           <li>
             Piles of chance are filmed from {seedsOf(ours)[0]} seeds as an engine comes, from{' '}
