@@ -237,9 +237,10 @@ export default function Benchmarks() {
           <li>
             Piles of chance are filmed from {seedsOf(ours)[0]} seeds as an engine comes, from{' '}
             {seedsOf(ours)[1]} at its other settings. {listed(brief)} take many times as long or have a faster
-            build beside them: from {seedsOf(brief[0])[0]} and {seedsOf(brief[0])[1]}, 250 chips from one, a
-            thousand for their cost alone. Box2D’s two builds move by the same bits, so one is filmed for
-            both. Fewer seeds can only make the worst look better.
+            build beside them: from {seedsOf(brief[0])[0]} and {seedsOf(brief[0])[1]}, rounded boxes and mixed
+            shapes at two settings only, 250 chips from one seed, a thousand for their cost alone. Box2D’s two
+            builds move by the same bits, so one is filmed for both. Fewer seeds can only make the worst look
+            better.
           </li>
           {results.missing?.length > 0 && (
             <li>

@@ -122,7 +122,8 @@ describe('what the scene does not need is not run', () => {
       const ran = await counted(() => {
         for (let k = 0; k < 60; k++) idle.step(frame)
       })
-      for (const needless of ['stepOnce', 'updatePairs', 'findIslands', 'solve', 'fly', 'measure'])
+      const rooms = ['stepOnce', 'updatePairs', 'findIslands', 'solve', 'fly']
+      for (const needless of [...rooms, 'outgrown', 'sweep', 'measure', 'collide', 'keepInside'])
         expect([needless, ran(needless)]).toEqual([needless, 0])
     }
   })
