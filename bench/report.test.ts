@@ -16,6 +16,7 @@ function resultsOf(
     quick: false,
     minutes: 1,
     resumed: false,
+    kept: 0,
     others: 0,
     rounds: 1,
     commit: '',

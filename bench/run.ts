@@ -66,10 +66,13 @@ const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms into a run after which pours, and scenes, that were timed once are not timed again: the whole stays below twenty minutes. */
 const enoughPours = 4 * 60_000
 const enough = 17 * 60_000
+/** ms into a run after which brief engines are filmed no further: what is missing then, the next run films. */
+const enoughFilms = 8 * 60_000
 /** Seeds from which a chaotic scene is filmed at other settings than the default. */
 const fewSeeds = 3
-/** Seconds of processor after which a job is given up: of several settings, which then get one each, or of one. */
-const patience = (job: Job) => ('settings' in job && job.settings.length > 1 ? 200 : 90)
+/** Seconds of processor after which a job is given up: of several films, which then may get a job each, or of one. */
+const patience = (job: Job) =>
+  'settings' in job && job.settings.length * ('seeds' in job ? job.seeds : 1) > 1 ? 200 : 90
 /** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
 const long = 2e5
 const far = 2
@@ -147,6 +150,8 @@ const task = (job: Job, round = 0): Task => ({
 const outcomes = new Map<string, unknown>()
 const failures = new Map<string, string>()
 let resumed = false
+/** Jobs of films that an earlier run had done. */
+let keptFilms = 0
 
 process.on('SIGINT', () => {
   console.error('\nstopped; the same command goes on from here')
@@ -158,6 +163,7 @@ function isKnown({ key, job }: Task) {
   if (!outcomes.has(key) && done.has(key)) {
     outcomes.set(key, done.get(key))
     if (job.kind !== 'errors') resumed = true
+    else keptFilms++
   }
   return outcomes.has(key)
 }
@@ -353,8 +359,10 @@ async function timePours() {
 // Pours come first: whoever is given up there needs no film of as many.
 if (!options.errors) await timing(timePours)
 
+type Films = { settings: Setting[]; seeds: number }
+
 /** Settings to film together, and from how many seeds: all as it comes, a few else. */
-function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: number }[] {
+function filmed(engine: Engine, scene: Scene): Films[] {
   const [first, ...others] = engine.settings
   if (quick) return [{ settings: [first], seeds: 1 }]
   const large = largeSize(scene)
@@ -371,6 +379,14 @@ function filmed(engine: Engine, scene: Scene): { settings: Setting[]; seeds: num
   ]
 }
 
+/** With the time that is left: a brief engine from as many seeds, and at as many settings, as the others; one setting at a time. */
+function filmedFurther(engine: Engine, scene: Scene): Films[] {
+  if (quick || !engine.brief || scene.seeds === 1 || largeSize(scene)) return []
+  return engine.settings
+    .map((setting, i) => ({ settings: [setting], seeds: i === 0 ? scene.seeds : fewSeeds }))
+    .filter(({ seeds }) => seeds > 1)
+}
+
 const singles = (kind: 'asleep' | 'allocation') =>
   engines.map(({ name, settings }) => ({ kind, engine: name, setting: settings[0], chips: 60 }))
 
@@ -380,6 +396,12 @@ const takesLong = (engine: Engine, scene: Scene) =>
   largeSize(scene) > 0 || (engine.brief && /^pour/.test(scene.name)) ? 0 : 1
 /** The engine whose films stand for those of this one. */
 const filmedAs = (engine: Engine) => engines.find(({ name }) => name === engine.sameBitsAs) ?? engine
+const errorJob = (engine: Engine, scene: Scene, films: Films): ErrorJob => ({
+  kind: 'errors',
+  engine: engine.name,
+  scene: scene.name,
+  ...films,
+})
 let errorJobs: ErrorJob[] = engines
   .filter((engine) => filmedAs(engine) === engine)
   .flatMap((engine) => chosenScenes.map((scene) => ({ engine, scene })))
@@ -390,14 +412,7 @@ let errorJobs: ErrorJob[] = engines
     return !chips || options.errors || !(isHopeless(contestant, chips) || (pour && 'atLeast' in pour))
   })
   .sort((a, b) => takesLong(a.engine, a.scene) - takesLong(b.engine, b.scene))
-  .flatMap(({ engine, scene }) =>
-    filmed(engine, scene).map((films) => ({
-      kind: 'errors' as const,
-      engine: engine.name,
-      scene: scene.name,
-      ...films,
-    })),
-  )
+  .flatMap(({ engine, scene }) => filmed(engine, scene).map((films) => errorJob(engine, scene, films)))
 const measured = quick || options.scene || options.errors ? [] : singles('allocation')
 await runAll('errors', asTasks([...errorJobs, ...measured]), 2)
 
@@ -409,6 +424,24 @@ const alone = errorJobs.flatMap((job) =>
 )
 await runAll('errors, setting by setting', asTasks(alone), 2)
 errorJobs = [...errorJobs, ...alone]
+
+// Every engine gets its first setting more before any gets its second.
+const further = Array.from({ length: Math.max(...engines.map(({ settings }) => settings.length)) }, (_, i) =>
+  chosenScenes.flatMap((scene) =>
+    engines.flatMap((engine) => {
+      const films = filmedFurther(engine, scene).find(({ settings }) => settings[0] === engine.settings[i])
+      return films ? [errorJob(engine, scene, films)] : []
+    }),
+  ),
+).flat()
+await runAll(
+  'errors, further',
+  asTasks(further),
+  2,
+  options.errors ? deadline : Math.min(deadline, enoughFilms),
+)
+// More seeds count more: they are looked up first.
+errorJobs = [...further, ...errorJobs]
 if (options.errors) process.exit(0)
 
 const errors: ErrorRow[] = engines.flatMap((engine) =>
@@ -542,10 +575,21 @@ const sceneCosts: SceneCostRow[] = chosenScenes.flatMap((scene) =>
   ),
 )
 
+/** What films of an engine in a scene broke down or took too long. */
+const failedFilms = (engine: Engine, scene: Scene) =>
+  errorJobs.filter(
+    (job) => job.engine === filmedAs(engine).name && job.scene === scene.name && failures.has(task(job).key),
+  )
+const holds = ({ settings }: Films, setting: Setting) =>
+  settings.some((other) => settingName(other) === settingName(setting))
+
 const missing: MissingRow[] = engines.flatMap((engine) =>
-  chosenScenes.flatMap((scene) =>
-    filmed(engine, scene).flatMap(({ settings }) =>
-      settings.flatMap((setting) => {
+  chosenScenes.flatMap((scene) => {
+    const failed = failedFilms(engine, scene)
+    const expected = [...filmed(engine, scene), ...failed]
+    return engine.settings
+      .filter((setting) => expected.some((films) => holds(films, setting)))
+      .flatMap((setting) => {
         const isThis = (row: { engine: string; scene: string; setting: Setting }) =>
           row.engine === engine.name &&
           row.scene === scene.name &&
@@ -554,20 +598,14 @@ const missing: MissingRow[] = engines.flatMap((engine) =>
         if (error && sceneCosts.some(isThis)) return []
         const job = error
           ? sceneJobs[0].find((job) => isThis({ ...job, setting }))
-          : errorJobs.findLast(
-              (job) =>
-                isThis({ ...job, engine: engine.name, setting }) &&
-                job.engine === filmedAs(engine).name &&
-                failures.has(task(job).key),
-            )
+          : failed.findLast((job) => holds(job, setting))
         const pour = pourCosts.find(
           (row) => isThis({ ...row, scene: scene.name }) && row.chips === largeSize(scene),
         )
         const reason = (job && failures.get(task(job).key)) ?? pour?.reason ?? 'not measured'
         return [{ engine: engine.name, setting, scene: scene.name, reason }]
-      }),
-    ),
-  ),
+      })
+  }),
 )
 
 const single = (kind: 'asleep' | 'allocation') =>
@@ -585,6 +623,7 @@ const results: Results = {
   quick,
   minutes: Number((performance.now() / 60_000).toFixed(1)),
   resumed,
+  kept: Number((keptFilms / Math.max(1, errorJobs.filter((job) => outcomeOf(job)).length)).toFixed(3)),
   others: Number(others.toFixed(3)),
   rounds: Math.max(1, ...[...sceneCosts, ...pourCosts].map((row) => row.rounds)),
   commit: commit(),
