@@ -9,7 +9,8 @@ const reuseExistingServer = !process.env.CI
 export default defineConfig({
   testDir: 'e2e',
   fullyParallel: true,
-  workers: 2,
+  // On two cores: half the time a pile only takes its time.
+  workers: 3,
   forbidOnly: true,
   timeout: 60_000,
   use: {
