@@ -75,6 +75,8 @@ const TOLERANCE_LEAST = 0.05
 const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
 const BALANCE = 0.1
+/** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
+const TOLERANCE_STILL = 0.003
 
 /** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
 const MISJUDGED = 50
@@ -1081,6 +1083,8 @@ class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** px/s, what is slower in the present island its first sweep leaves alone. */
+  slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
 }
@@ -1875,7 +1879,7 @@ function kick(
   round: number,
 ): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
-  const gravity = scene.gravity
+  const { gravity, slow } = scene
   const half = 0.5 * air.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
@@ -1907,7 +1911,7 @@ function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > BALANCE || moved[i] > 0) stirred[i] = round - 1
+    if (speed > slow || moved[i] > 0) stirred[i] = round - 1
   }
 }
 
@@ -3176,7 +3180,11 @@ function createWorld(options: WorldOptions) {
     let end = c0
     const speed = fastest(b0, b1)
     const { linear, spin } = airFor(substeps)
-    scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const still = speed <= BALANCE
+    scene.slow = still ? TOLERANCE_STILL : BALANCE
+    scene.tolerance = still
+      ? TOLERANCE_STILL
+      : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
     const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
@@ -3212,7 +3220,7 @@ function createWorld(options: WorldOptions) {
       }
       const active = move(scene, islands.bodies, b0, b1)
       stats.substeps++
-      if (active === 0 && stirs === 0 && grabbed.length === 0) break
+      if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
     }
     let deep = separate(scene, live, c0, end)
     if (deep > 0 && speed <= JAMMED) {

@@ -57,6 +57,8 @@ export const TOLERANCE_LEAST = 0.05
 export const TOLERANCE_MOST = 5
 /** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
 export const BALANCE = 0.1
+/** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
+export const TOLERANCE_STILL = 0.003
 
 /** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
 export const MISJUDGED = 50

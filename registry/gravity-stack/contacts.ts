@@ -132,6 +132,8 @@ export class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** px/s, what is slower in the present island its first sweep leaves alone. */
+  slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
 }

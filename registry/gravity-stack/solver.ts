@@ -104,7 +104,7 @@ export function kick(
   round: number,
 ): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
-  const gravity = scene.gravity
+  const { gravity, slow } = scene
   const half = 0.5 * air.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
@@ -136,7 +136,7 @@ export function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > BALANCE || moved[i] > 0) stirred[i] = round - 1
+    if (speed > slow || moved[i] > 0) stirred[i] = round - 1
   }
 }
 

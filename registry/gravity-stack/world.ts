@@ -27,6 +27,7 @@ import { COUNT, GAP_NOW, RATE_NOW, touch, WIDEST } from './collide'
 import {
   AHEAD,
   ANGULAR_DAMPING,
+  BALANCE,
   BOUNCE,
   BOUNCE_THRESHOLD,
   CREEP,
@@ -54,6 +55,7 @@ import {
   TOLERANCE_LEAST,
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
+  TOLERANCE_STILL,
   UNEVEN,
 } from './constants'
 import {
@@ -355,7 +357,11 @@ export function createWorld(options: WorldOptions) {
     let end = c0
     const speed = fastest(b0, b1)
     const { linear, spin } = airFor(substeps)
-    scene.tolerance = Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+    const still = speed <= BALANCE
+    scene.slow = still ? TOLERANCE_STILL : BALANCE
+    scene.tolerance = still
+      ? TOLERANCE_STILL
+      : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
     const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
     const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
     // A hand can press harder than any chip: what it does is solved to the end.
@@ -391,7 +397,7 @@ export function createWorld(options: WorldOptions) {
       }
       const active = move(scene, islands.bodies, b0, b1)
       stats.substeps++
-      if (active === 0 && stirs === 0 && grabbed.length === 0) break
+      if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
     }
     let deep = separate(scene, live, c0, end)
     if (deep > 0 && speed <= JAMMED) {
