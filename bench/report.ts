@@ -95,7 +95,7 @@ export function frontier(all: Point[]): Point[] {
 }
 
 /** Costs closer than this are a tie: the machine's own noise. */
-const noise = 1.05
+export const noise = 1.05
 /** Errors below this are rounding: who is nearer to zero there says nothing. */
 export const rounding: Record<string, number> = {
   px: 1e-9,

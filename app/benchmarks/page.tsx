@@ -1,7 +1,7 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import { ours, type Results, type Verdict, verdicts } from '@/bench/report'
+import { noise, ours, type Results, type Verdict, verdicts } from '@/bench/report'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { InBrowser } from './browser'
@@ -51,6 +51,7 @@ const groups: { title: string; text: string; scenes: RegExp }[] = [
 export default function Benchmarks() {
   const all = verdicts(results)
   const lost = all.filter((verdict) => verdict.beaten.length > 0)
+  const ties = all.filter(isTie)
   return (
     <main id="content" className="benchmarks mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
       <style>{highlightRules}</style>
@@ -83,8 +84,11 @@ export default function Benchmarks() {
           {lost.length === 0
             ? 'It holds in every row below.'
             : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
-          The two columns on the right ask from both sides: the most exact engine that costs no more, and the
-          cheapest that errs no more.
+          {ties.length > 0 &&
+            `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper peer is as exact as counts, both errors being rounding, or less than 10⁻⁴ of a pile’s weight. `}
+          Pours of 250 and of 1,000 chips are played at two settings of each engine, by the slow ones at one
+          or none. The two columns on the right ask from both sides: the most exact engine that costs no more,
+          and the cheapest that errs no more.
         </p>
         <div className="mt-6">
           <Table
@@ -299,6 +303,9 @@ const circumstances = [
 const named = ({ engine, setting }: { engine: string; setting: Record<string, number> }) =>
   `${looks[engine].title} at ${settingTitle(setting)}`
 
+/** Whether a cheaper peer errs no more as errors count: neither lies below and to the left of the other. */
+const isTie = ({ beaten, asExact }: Verdict) => beaten.length === 0 && (asExact?.factor ?? 1) < 1 / noise
+
 /** Who lies below and to the left of us, and how far: each engine with the cheapest setting that does. */
 function exception({ scene, measure, cost, error, beaten }: Verdict) {
   const title = scene.measures.length > 1 ? `${scene.title}, ${scene.measures[measure].name}` : scene.title
@@ -374,7 +381,8 @@ const missingMarks = (results.missing ?? []).map((row) => {
   return `${named(row)} (${title}; ${row.reason})`
 })
 
-function verdictRow({ scene, measure, cost, error, asCheap, asExact, beaten }: Verdict): ReactNode[] {
+function verdictRow(verdict: Verdict): ReactNode[] {
+  const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
   const { name, unit } = scene.measures[measure]
   const losers = [...new Set(beaten.map((point) => looks[point.engine].title))]
   return [
@@ -390,7 +398,13 @@ function verdictRow({ scene, measure, cost, error, asCheap, asExact, beaten }: V
     asExact
       ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost`
       : 'nobody, at any setting',
-    beaten.length === 0 ? 'ours' : <strong key="lost">{`not ours: ${losers.join(', ')}`}</strong>,
+    isTie(verdict) ? (
+      `tie: ${looks[asExact!.engine].title}`
+    ) : beaten.length === 0 ? (
+      'ours'
+    ) : (
+      <strong key="lost">{`not ours: ${losers.join(', ')}`}</strong>
+    ),
   ]
 }
 
