@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
-import { expect, type Page } from '@playwright/test'
+import { expect, type Page, type Response } from '@playwright/test'
 import { test } from './alive'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
@@ -39,6 +39,8 @@ for (const path of pages) {
     for (const reducedMotion of ['no-preference', 'reduce'] as const) {
       const motion = reducedMotion === 'reduce' ? ' with reduced motion' : ''
       test(`has no accessibility violation in light and dark${motion}`, async ({ page }) => {
+        // The longest page takes half a minute to look through, twice.
+        test.setTimeout(120_000)
         await page.emulateMedia({ colorScheme: 'light', reducedMotion })
         await page.goto(path)
         await page.waitForLoadState('networkidle')
@@ -343,12 +345,17 @@ test('words can be read before any script is asked for', async ({ page }) => {
 test('the component page brings at most 165 kB of script', async ({ page }) => {
   // What the links of the page fetch in advance belongs to other pages.
   await page.route(/_rsc=/, (route) => route.abort())
-  const scripts: Promise<Buffer>[] = []
+  const scripts: Response[] = []
   page.on('response', (response) => {
-    if (response.request().resourceType() === 'script') scripts.push(response.body())
+    if (response.request().resourceType() === 'script') scripts.push(response)
   })
   await page.goto('/docs/gravity-stack', { waitUntil: 'networkidle' })
-  const bytes = (await Promise.all(scripts)).reduce((sum, body) => sum + gzipSync(body).length, 0)
+  await expect(page.locator('[data-slot=gravity-stack]').first()).toHaveAttribute(
+    'data-state',
+    /running|resting/,
+  )
+  const bodies = await Promise.all(scripts.map((response) => response.body()))
+  const bytes = bodies.reduce((sum, body) => sum + gzipSync(body).length, 0)
   expect(bytes / 1000).toBeLessThanOrEqual(165)
 })
 
