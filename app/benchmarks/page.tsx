@@ -86,9 +86,9 @@ export default function Benchmarks() {
             : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
           {ties.length > 0 &&
             `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper peer is as exact as counts, both errors being rounding, or less than 10⁻⁴ of a pile’s weight. `}
-          Pours of 250 and of 1,000 chips are played at two settings of each engine, by the slow ones at one
-          or none. The two columns on the right ask from both sides: the most exact engine that costs no more,
-          and the cheapest that errs no more.
+          Of 250 and 1,000 chips that says less: they are played at two settings of each engine, by the slow
+          ones at one or none. The two columns on the right ask from both sides: the most exact engine that
+          costs no more, and the cheapest that errs no more.
         </p>
         <div className="mt-6">
           <Table
