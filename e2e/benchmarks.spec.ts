@@ -63,7 +63,6 @@ test.describe('benchmarks', () => {
   })
 
   test('a visitor can run it, stop it and run it again', async ({ page }) => {
-    test.slow()
     await page.goto('/benchmarks')
     await page.getByRole('button', { name: 'Run on this device' }).click()
     await expect(page.getByRole('progressbar', { name: 'Benchmark' })).toBeVisible()

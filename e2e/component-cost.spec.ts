@@ -292,7 +292,6 @@ async function allocated(session: CDPSession, work: () => Promise<unknown>) {
 }
 
 test('half a minute of a pile at work keeps nothing on the heap and makes little', async ({ page }) => {
-  test.slow()
   // Without the probe: the stack traces that it reads take and give back half a megabyte at any time.
   const stage = new StagePage(page)
   await stage.settled('pile', { chips: 60, stagger: 10, shaker: true })

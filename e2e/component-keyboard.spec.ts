@@ -61,7 +61,7 @@ test('focus that jumps into a stage far down the page brings the stage into view
   await page.setViewportSize({ width: 800, height: 600 })
   await stage.open('controls', { above: 3000 })
   await page.getByText('a button').focus()
-  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting', { timeout: 20_000 })
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
   await expect(page.getByText('a button')).toBeInViewport()
 })
 

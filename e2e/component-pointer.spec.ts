@@ -1,3 +1,4 @@
+import { takeFrames } from './fixtures/frames'
 import { expect, test } from './fixtures/stage'
 
 test('a pressed chip hangs from the very point where it was grabbed, in front and a little smaller', async ({
@@ -68,8 +69,12 @@ test('a chip that is carried and let go falls straight down: no flight, no hop',
 })
 
 test('a throw is as fast from a 30 Hz pointer as from a 240 Hz one', async ({ stage, page }) => {
+  await page.addInitScript(takeFrames)
   const throwAt = async (hertz: number) => {
-    await stage.settled('pile', { chips: 1 })
+    await stage.open('pile', { chips: 1 })
+    await stage.reaches('running')
+    await page.evaluate(() => window.drive(Array(600).fill(1000 / 60)))
+    await stage.reaches('resting')
     return page.evaluate(async (hertz) => {
       const chip = document.querySelector('[data-slot=gravity-stack-chip]')!
       const box = chip.getBoundingClientRect()
@@ -91,7 +96,7 @@ test('a throw is as fast from a 30 Hz pointer as from a 240 Hz one', async ({ st
       // 0.5 px a ms for 300 ms of frames; the pointer reports when its own rate says so.
       let told = 0
       for (let ms = 0; ms <= 300; ms += 1000 / 60) {
-        await window.probe.pass(1)
+        await window.drive([1000 / 60])
         while (told + 1000 / hertz <= ms + 0.001) {
           told += 1000 / hertz
           send('pointermove', told)
@@ -99,10 +104,10 @@ test('a throw is as fast from a 30 Hz pointer as from a 240 Hz one', async ({ st
       }
       send('pointerup', 300)
       const at = () => new DOMMatrix(getComputedStyle(chip).transform).e
-      await window.probe.pass(2)
-      const [from, began] = [at(), document.timeline.currentTime as number]
-      await window.probe.pass(6)
-      return (Math.abs(at() - from) / ((document.timeline.currentTime as number) - began)) * 1000
+      await window.drive([1000 / 60, 1000 / 60])
+      const from = at()
+      await window.drive(Array(6).fill(1000 / 60))
+      return Math.abs(at() - from) / 0.1
     }, hertz)
   }
   const slow = await throwAt(30)

@@ -1,49 +1,7 @@
 import type { Page } from '@playwright/test'
 import { seeded } from '../scenes/seeded'
+import { takeFrames } from './fixtures/frames'
 import { expect, test } from './fixtures/stage'
-
-declare global {
-  interface Window {
-    /** Lets the page's frames pass as if the display drew one after each of these times, ms; gives what was drawn. */
-    drive(times: number[]): Promise<string[]>
-  }
-}
-
-/** Takes frames and their times out of the display's hands. Given to the page before anything else in it runs. */
-function takeFrames() {
-  let now = 0
-  let waiting = new Map<number, FrameRequestCallback>()
-  let last = 0
-  window.requestAnimationFrame = (callback) => {
-    waiting.set(++last, callback)
-    return last
-  }
-  window.cancelAnimationFrame = (id) => waiting.delete(id)
-  Object.defineProperty(document, 'timeline', {
-    value: {
-      get currentTime() {
-        return now
-      },
-    },
-  })
-  window.drive = async (times) => {
-    const drawn: string[] = []
-    const stage = document.querySelector<HTMLElement>('[data-slot=gravity-stack]')!
-    for (const time of times) {
-      if (stage.dataset.state === 'resting') break
-      // Where nothing moves the stage waits by a timer of real time, and no frame is asked for.
-      while (waiting.size === 0 && stage.dataset.state === 'running')
-        await new Promise((done) => setTimeout(done, 1))
-      now += time
-      const due = waiting
-      waiting = new Map()
-      for (const callback of due.values()) callback(now)
-      await new Promise((done) => setTimeout(done, 0))
-      drawn.push(stage.querySelector<HTMLElement>('[data-slot=gravity-stack-chip]')!.style.transform)
-    }
-    return drawn
-  }
-}
 
 /** The pile that a page's drop ends in when its frames are this long, ms. */
 async function pileOf(page: Page, frame: (random: () => number) => number) {

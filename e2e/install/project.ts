@@ -109,13 +109,11 @@ export class Project {
     })
     const url = `http://localhost:${port}`
     await expect
-      .poll(
-        () =>
-          fetch(url).then(
-            (response) => response.ok,
-            () => false,
-          ),
-        { timeout: 30_000 },
+      .poll(() =>
+        fetch(url).then(
+          (response) => response.ok,
+          () => false,
+        ),
       )
       .toBe(true)
     return {
@@ -251,7 +249,7 @@ export async function expectPile(page: Page, url: string) {
 
   await page.goto(url)
   const stage = page.locator(box)
-  await expect(stage).toHaveAttribute('data-state', 'resting', { timeout: 30_000 })
+  await expect(stage).toHaveAttribute('data-state', 'resting')
 
   const chips = stage.locator('[data-slot="gravity-stack-chip"]')
   const area = await boxOf(stage)
@@ -273,7 +271,7 @@ export async function expectPile(page: Page, url: string) {
   await expect(highest).toHaveAttribute('data-state', 'held')
   await expect(stage).toHaveAttribute('data-state', 'running')
   await page.mouse.up()
-  await expect(stage).toHaveAttribute('data-state', 'resting', { timeout: 30_000 })
+  await expect(stage).toHaveAttribute('data-state', 'resting')
   const after = await boxOf(highest)
   expect(Math.abs(after.left - before.left), 'the dragged chip lies somewhere else').toBeGreaterThan(20)
   expect(errors).toEqual([])
