@@ -115,6 +115,19 @@ describe('the claim', () => {
     expect(verdicts(results)[0].beaten).toEqual([])
   })
 
+  it('leaves open what was not played, unless it is known to cost more', () => {
+    const results = resultsOf([['gravity-stack', null, 10, 0.01]])
+    const left = { scene: 'slide', reason: 'no time was left' }
+    results.missing = [
+      { ...left, engine: 'planck', setting: { steps: 1 } },
+      { ...left, engine: 'planck', setting: { steps: 2 }, atLeast: 9 },
+      { ...left, engine: 'planck', setting: { steps: 4 }, atLeast: 12 },
+      { ...left, engine: 'planck', setting: { steps: 1 }, scene: 'roll' },
+      { ...left, engine: 'gravity-stack', setting: { substeps: 2 } },
+    ]
+    expect(verdicts(results)[0].open.map(({ setting }) => setting.steps)).toEqual([1, 2])
+  })
+
   it('counts an engine that lost its chips as neither cheap nor exact', () => {
     const [verdict] = verdicts(
       resultsOf([

@@ -24,8 +24,14 @@ export type PourCostRow = {
   atLeast?: number
   reason?: string
 } & Rounds
-/** A setting that has no place on a scene's plot, and why. */
-export type MissingRow = { engine: string; setting: Setting; scene: string; reason: string }
+/** A setting that has no place on a scene's plot, and why; what it costs at least, µs per frame, where that is known. */
+export type MissingRow = {
+  engine: string
+  setting: Setting
+  scene: string
+  reason: string
+  atLeast?: number
+}
 
 export type SceneHead = {
   name: string
@@ -117,6 +123,8 @@ export type Verdict = {
   asExact: (Point & { factor: number }) | null
   /** peers that are cheaper and more exact than our default: the exceptions to the claim */
   beaten: Point[]
+  /** peers' settings without a place here that are not known to cost more than our default: what the claim leaves open */
+  open: MissingRow[]
 }
 
 /** Scene by scene, whether any engine at any setting lies below and to the left of ours. */
@@ -144,6 +152,10 @@ export function verdicts(results: Results): Verdict[] {
           asExact: exact ? { ...exact, factor: exact.cost / own.cost } : null,
           beaten: peers.filter(
             (point) => point.cost * noise < own.cost && Math.max(point.error, floor) < ownError,
+          ),
+          open: results.missing.filter(
+            (row) =>
+              row.scene === scene.name && row.engine !== ours && !((row.atLeast ?? 0) * noise >= own.cost),
           ),
         },
       ]

@@ -60,7 +60,7 @@ const chosenScenes = scenes.filter(
 )
 const wantedEngines = options.engine?.split(',').map((name) => (name === 'ours' ? ours : name))
 const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngines.includes(name))
-/** How many chips a large pile has; these are filmed in two settings, and cost what pours of as many cost. */
+/** How many chips a large pile has; it costs what a pour of as many costs. */
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
 /** ms into a run after which pours, and scenes, that were timed once are not timed again: the whole stays below twenty minutes. */
@@ -302,13 +302,15 @@ const pourFrames = 240
 type Contestant = { engine: string; setting: Setting }
 const allSizes = quick ? [12, 60] : [12, 60, 250, 1000, 4000]
 const sizes = options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes
-// Few chips are swept as scenes of their own; more are poured at a second setting, but not by slow engines.
+/** Fewer chips are swept as scenes of their own, more are poured only as an engine comes. */
+const isSwept = (chips: number) => !quick && (chips === 250 || chips === 1000)
 const contestants = (chips: number): Contestant[] =>
   engines.flatMap((engine) => {
-    const two = !quick && !engine.brief && (chips === 250 || chips === 1000)
-    const settings = two ? [engine.settings[0], engine.accurate] : [engine.settings[0]]
+    const settings = isSwept(chips) ? engine.settings : [engine.settings[0]]
     return settings.map((setting) => ({ engine: engine.name, setting }))
   })
+const isDefault = ({ engine, setting }: Contestant) =>
+  engines.some(({ name, settings }) => name === engine && settings[0] === setting)
 const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
   kind: 'pour cost' as const,
   engine,
@@ -338,23 +340,32 @@ function isHopeless(contestant: Contestant, chips: number) {
 /** Pours of all sizes by all that are able, the slow ones once. */
 async function timePours() {
   for (const chips of sizes) {
-    const able = contestants(chips).filter((contestant) => !isHopeless(contestant, chips))
-    const players = able.map(
-      (contestant): Player =>
-        (round) => {
-          if (round > 0) {
-            const own = pourOf({ engine: ours, setting: {} }, chips)
-            const first = pourOf(contestant, chips)
-            if (!first || 'atLeast' in first) return null
-            const ownMean = own && 'mean' in own ? own.mean : undefined
-            if (timedOnce(contestant.engine, first.mean, pourFrames, ownMean)) return null
-          }
-          return pourJob(contestant, chips)
-        },
+    const able = contestants(chips).filter(
+      (contestant) => isDefault(contestant) && !isHopeless(contestant, chips),
     )
+    const players = able.map((contestant) => pourPlayer(contestant, chips))
     await takeTurns(`cost of ${chips} chips`, players, enoughPours)
   }
 }
+
+/** µs a frame of a pour, if it was played to its end. */
+function meanOf(contestant: Contestant, chips: number) {
+  const pour = pourOf(contestant, chips)
+  return pour && 'mean' in pour ? pour.mean : undefined
+}
+const ownMean = (chips: number) => meanOf({ engine: ours, setting: {} }, chips)
+
+/** A pour again and again, unless that would tell nothing. */
+const pourPlayer =
+  (contestant: Contestant, chips: number): Player =>
+  (round) => {
+    if (round > 0) {
+      const first = pourOf(contestant, chips)
+      if (!first || 'atLeast' in first) return null
+      if (timedOnce(contestant.engine, first.mean, pourFrames, ownMean(chips))) return null
+    }
+    return pourJob(contestant, chips)
+  }
 
 // Pours come first: whoever is given up there needs no film of as many.
 if (!options.errors) await timing(timePours)
@@ -367,8 +378,8 @@ function filmed(engine: Engine, scene: Scene): Films[] {
   if (quick) return [{ settings: [first], seeds: 1 }]
   const large = largeSize(scene)
   if (large) {
-    if (engine.brief) return large < 1000 ? [{ settings: [first], seeds: 1 }] : []
-    return [first, engine.accurate].map((setting) => ({ settings: [setting], seeds: scene.seeds }))
+    if (!engine.brief) return [{ settings: [first], seeds: scene.seeds }]
+    return large < 1000 ? [{ settings: [first], seeds: 1 }] : []
   }
   if (scene.seeds === 1) return [{ settings: engine.settings, seeds: 1 }]
   // Pills say how exact a slow engine can be; of other shapes two settings do.
@@ -442,22 +453,51 @@ await runAll(
 )
 // More seeds count more: they are looked up first.
 errorJobs = [...further, ...errorJobs]
-if (options.errors) process.exit(0)
 
-const errors: ErrorRow[] = engines.flatMap((engine) =>
-  chosenScenes.flatMap((scene) =>
-    engine.settings.flatMap((setting) => {
-      for (const job of errorJobs) {
-        const rows = job.engine === filmedAs(engine).name && job.scene === scene.name && outcomeOf(job)
-        const i = job.settings.findIndex((other) => settingName(other) === settingName(setting))
-        if (!rows || i < 0) continue
-        const values = rows[i].map((value) => (Number.isFinite(value) ? value : null))
-        return [{ engine: engine.name, setting, scene: scene.name, errors: values, seeds: job.seeds }]
-      }
-      return []
+/** Films large piles at the settings they are poured at, the cheap first, in the time that is left. */
+async function filmLarge(contestantsOf: (chips: number) => Contestant[]) {
+  for (const scene of chosenScenes.filter(largeSize)) {
+    const jobs = contestantsOf(largeSize(scene)).map(({ engine: name, setting }) => {
+      const engine = engines.find((candidate) => candidate.name === name)!
+      return errorJob(engine, scene, { settings: [setting], seeds: engine.brief ? 1 : scene.seeds })
+    })
+    await runAll(
+      `errors of ${largeSize(scene)} chips, all settings`,
+      asTasks(jobs),
+      2,
+      Math.min(deadline, options.errors ? deadline : enough),
+    )
+    errorJobs = [...errorJobs, ...jobs]
+  }
+}
+
+if (options.errors) {
+  // What takes so long that it is brief is filmed when it is known to cost no more than we do.
+  await filmLarge((chips) =>
+    contestants(chips).filter(({ engine: name }) => {
+      const engine = engines.find((candidate) => candidate.name === name)!
+      return !engine.brief && filmedAs(engine) === engine
     }),
-  ),
-)
+  )
+  process.exit(0)
+}
+
+const errorRows = (): ErrorRow[] =>
+  engines.flatMap((engine) =>
+    chosenScenes.flatMap((scene) =>
+      engine.settings.flatMap((setting) => {
+        for (const job of errorJobs) {
+          const rows = job.engine === filmedAs(engine).name && job.scene === scene.name && outcomeOf(job)
+          const i = job.settings.findIndex((other) => settingName(other) === settingName(setting))
+          if (!rows || i < 0) continue
+          const values = rows[i].map((value) => (Number.isFinite(value) ? value : null))
+          return [{ engine: engine.name, setting, scene: scene.name, errors: values, seeds: job.seeds }]
+        }
+        return []
+      }),
+    ),
+  )
+let errors = errorRows()
 
 type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
 const sceneJobs: SceneCostJob[][] = Array.from({ length: mostRounds }, () => [])
@@ -500,13 +540,39 @@ async function timeScenes() {
   }
 }
 
+/** µs that a frame takes with fewer chips at a setting, and so at least with more; 0 where nothing is known. */
+function leastOf(contestant: Contestant, chips: number): number {
+  const fewer = sizes.findLast((size) => size < chips && isSwept(size))
+  if (!fewer) return sceneCostOf(contestant.engine, { name: 'pour-pills-60' }, contestant.setting, 0) ?? 0
+  const pour = pourOf(contestant, fewer)
+  if (!pour) return leastOf(contestant, fewer)
+  return 'mean' in pour ? pour.mean : pour.atLeast
+}
+
+/** Large pours at every setting, but for those that take longer than ours with fewer chips already. */
+async function timeSettings() {
+  for (const chips of sizes.filter(isSwept)) {
+    for (let i = 1; engines.some(({ settings }) => settings[i]); i++) {
+      const able = contestants(chips)
+        .filter(({ engine, setting }) =>
+          engines.some(({ name, settings }) => name === engine && settings[i] === setting),
+        )
+        .filter((contestant) => !(leastOf(contestant, chips) > (ownMean(chips) ?? Number.POSITIVE_INFINITY)))
+      const players = able.map((contestant) => pourPlayer(contestant, chips))
+      await takeTurns(`cost of ${chips} chips, setting ${i + 1}`, players, enough)
+    }
+  }
+}
+
 /** With the time that is left: how much a pour is at least where fewer chips were slow already. */
 async function timeHopeless() {
   for (const chips of sizes) {
-    const untried = contestants(chips).filter((contestant) => {
-      const fewer = withFewer(contestant, chips)
-      return fewer && 'mean' in fewer && !outcomes.has(task(pourJob(contestant, chips)).key)
-    })
+    const untried = contestants(chips)
+      .filter(isDefault)
+      .filter((contestant) => {
+        const fewer = withFewer(contestant, chips)
+        return fewer && 'mean' in fewer && !outcomes.has(task(pourJob(contestant, chips)).key)
+      })
     const jobs = untried.map((contestant) => pourJob(contestant, chips))
     await runAll(`cost of ${chips} chips, the slowest`, asTasks(jobs), 1, Math.min(deadline, enough))
   }
@@ -514,6 +580,18 @@ async function timeHopeless() {
 
 await timing(async () => {
   await timeScenes()
+  await timeSettings()
+})
+await filmLarge((chips) =>
+  contestants(chips)
+    .filter((contestant) => {
+      const engine = engines.find(({ name }) => name === contestant.engine)!
+      return filmedAs(engine) === engine && meanOf(contestant, chips)
+    })
+    .toSorted((a, b) => meanOf(a, chips)! - meanOf(b, chips)!),
+)
+errors = errorRows()
+await timing(async () => {
   if (!quick && !options.scene) await runAll('asleep', asTasks(singles('asleep')), 1)
   if (!quick) await timeHopeless()
 })
@@ -533,7 +611,8 @@ function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; 
     return { atLeast: own.atLeast, reason: `given up after ${(own.atLeast * pourFrames) / 1e6} s` }
   }
   const fewer = withFewer(contestant, chips)
-  const taken = fewer && 'mean' in fewer ? fewer.mean : fewer?.atLeast
+  const least = isSwept(chips) && !isDefault(contestant) ? leastOf(contestant, chips) : 0
+  const taken = least || (fewer && 'mean' in fewer ? fewer.mean : fewer?.atLeast)
   if (!taken || outcomes.has(task(pourJob(contestant, chips)).key)) {
     return { reason: failures.get(task(pourJob(contestant, chips)).key) ?? 'failed with fewer chips' }
   }
@@ -575,37 +654,31 @@ const sceneCosts: SceneCostRow[] = chosenScenes.flatMap((scene) =>
   ),
 )
 
-/** What films of an engine in a scene broke down or took too long. */
-const failedFilms = (engine: Engine, scene: Scene) =>
-  errorJobs.filter(
-    (job) => job.engine === filmedAs(engine).name && job.scene === scene.name && failures.has(task(job).key),
-  )
-const holds = ({ settings }: Films, setting: Setting) =>
-  settings.some((other) => settingName(other) === settingName(setting))
-
+/** Every setting without a place on a scene's plot, why, and what it costs at least, where that is known. */
 const missing: MissingRow[] = engines.flatMap((engine) =>
-  chosenScenes.flatMap((scene) => {
-    const failed = failedFilms(engine, scene)
-    const expected = [...filmed(engine, scene), ...failed]
-    return engine.settings
-      .filter((setting) => expected.some((films) => holds(films, setting)))
-      .flatMap((setting) => {
-        const isThis = (row: { engine: string; scene: string; setting: Setting }) =>
-          row.engine === engine.name &&
-          row.scene === scene.name &&
-          settingName(row.setting) === settingName(setting)
-        const error = errors.some(isThis)
-        if (error && sceneCosts.some(isThis)) return []
-        const job = error
-          ? sceneJobs[0].find((job) => isThis({ ...job, setting }))
-          : failed.findLast((job) => holds(job, setting))
-        const pour = pourCosts.find(
-          (row) => isThis({ ...row, scene: scene.name }) && row.chips === largeSize(scene),
-        )
-        const reason = (job && failures.get(task(job).key)) ?? pour?.reason ?? 'not measured'
-        return [{ engine: engine.name, setting, scene: scene.name, reason }]
-      })
-  }),
+  chosenScenes.flatMap((scene) =>
+    (quick ? [engine.settings[0]] : engine.settings).flatMap((setting) => {
+      const isThis = (row: { engine: string; setting: Setting }) =>
+        row.engine === engine.name && settingName(row.setting) === settingName(setting)
+      const isHere = (row: { engine: string; scene: string; setting: Setting }) =>
+        row.scene === scene.name && isThis(row)
+      const filmedHere = errors.some(isHere)
+      const cost = sceneCosts.find(isHere)
+      if (filmedHere && cost) return []
+      const pour = pourCosts.find((row) => isThis(row) && row.chips === largeSize(scene))
+      const broken = errorJobs.findLast(
+        (job) =>
+          job.engine === filmedAs(engine).name &&
+          job.scene === scene.name &&
+          job.settings.some((other) => settingName(other) === settingName(setting)) &&
+          failures.has(task(job).key),
+      )
+      const reason = (broken && failures.get(task(broken).key)) ?? pour?.reason ?? 'no time was left'
+      return [
+        { engine: engine.name, setting, scene: scene.name, reason, atLeast: cost?.cost ?? pour?.atLeast },
+      ]
+    }),
+  ),
 )
 
 const single = (kind: 'asleep' | 'allocation') =>

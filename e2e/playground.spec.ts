@@ -26,10 +26,17 @@ const colours = (page: Page) =>
 test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their impulses', async ({
   page,
 }) => {
-  await page.goto('/playground?count=12&shape=boxes&stagger=100')
+  await page.goto('/playground?count=12&shape=boxes&stagger=0')
   await page.getByRole('button', { name: 'Overlay' }).click()
   await expect(page.getByText('Dots are contact points')).toBeVisible()
-  await expect.poll(async () => (await colours(page)).islands, { intervals: [50] }).toBeGreaterThan(2)
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Pause' }).click()
+  await page.getByRole('button', { name: 'Drop' }).click()
+  await expect(async () => {
+    await page.getByRole('button', { name: 'Step' }).click()
+    expect((await colours(page)).islands).toBeGreaterThan(2)
+  }).toPass({ intervals: [0] })
+  await page.getByRole('button', { name: 'Play' }).click()
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   const { islands, grey, red } = await colours(page)
   expect(islands).toBe(0)

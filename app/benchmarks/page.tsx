@@ -86,9 +86,11 @@ export default function Benchmarks() {
             : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
           {ties.length > 0 &&
             `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper peer is as exact as counts, both errors being rounding, or less than 10⁻⁴ of a pile’s weight. `}
-          Of 250 and 1,000 chips that says less: they are played at two settings of each engine, by the slow
-          ones at one or none. The two columns on the right ask from both sides: the most exact engine that
-          costs no more, and the cheapest that errs no more.
+          {dearer.length > 0 &&
+            `${dearer.length} settings have no mark in a plot, yet are no exception: they were not played to the end because they take longer than ours already, most of them with fewer chips. `}
+          {open.length > 0 && `Open, as they could not be played: ${settingsByEngine(open)}. `}
+          The two columns on the right ask from both sides: the most exact engine that costs no more, and the
+          cheapest that errs no more.
         </p>
         <div className="mt-6">
           <Table
@@ -245,14 +247,14 @@ export default function Benchmarks() {
               `, for want of time not all of ${listed(short)}: ${few(short, 'first')} and ${few(short, 'others')} seeds${
                 short.some(leavesOut) ? ', rounded boxes and mixed shapes not at every setting' : ''
               }`}
-            . {listed(slow)} take many times as long or have a faster build beside them: 250 chips are filmed
-            from one seed there, a thousand timed alone. Box2D’s two builds move by the same bits, so one is
-            filmed for both. Fewer seeds can only make the worst look better.
+            . {listed(slow)} take many times as long or have a faster build beside them: 250 chips and more
+            are filmed from one seed there. Box2D’s two builds move by the same bits, so one is filmed for
+            both. Fewer seeds can only make the worst look better.
           </li>
-          {results.missing?.length > 0 && (
+          {dearer.length > 0 && (
             <li>
-              No mark has, because it took too long or broke down: {missingMarks.join('; ')}. A thousand chips
-              are poured with the slow ones only as they come.
+              Without a mark, and dearer than ours: {settingsByEngine(dearer)}. Which, why, and what each
+              takes at least, the raw data says under “missing”.
             </li>
           )}
         </ul>
@@ -376,10 +378,22 @@ const few = (engines: string[], at: 'first' | 'others') =>
 const listed = (engines: string[]) =>
   new Intl.ListFormat('en').format(engines.map((engine) => looks[engine].title))
 
-const missingMarks = (results.missing ?? []).map((row) => {
-  const title = results.scenes.find((scene) => scene.name === row.scene)?.title ?? row.scene
-  return `${named(row)} (${title}; ${row.reason})`
-})
+/** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
+const open = [...new Set(verdicts(results).flatMap((verdict) => verdict.open))]
+const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
+
+/** How many settings of whom, scene by scene. */
+function settingsByEngine(rows: Results['missing']) {
+  const counts = results.scenes.flatMap(({ name, title }) => {
+    const here = rows.filter((row) => row.scene === name)
+    const engines = engineOrder.flatMap((engine) => {
+      const count = here.filter((row) => row.engine === engine).length
+      return count > 0 ? [`${inWords(count)} of ${looks[engine].title}`] : []
+    })
+    return engines.length > 0 ? [`${title}: ${new Intl.ListFormat('en').format(engines)}`] : []
+  })
+  return counts.join('; ')
+}
 
 function verdictRow(verdict: Verdict): ReactNode[] {
   const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
