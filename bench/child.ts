@@ -5,7 +5,7 @@ import { writeSync } from 'node:fs'
 import { createInterface } from 'node:readline'
 import { sceneNamed } from '../scenes'
 import { type Kind, pourChips, pourStage } from '../scenes/piles'
-import { conditions, type Scene } from '../scenes/scene'
+import { type Chip, conditions, type Scene } from '../scenes/scene'
 import type { Engine, Setting } from './engine'
 import { loadEngine } from './engines'
 import { median, sceneErrors } from './film'
@@ -15,7 +15,16 @@ const frames = 240
 const pourFrames = 90
 const settledFrom = 180
 
+/** Pours by what makes them: where a thousand chips begin takes long to find. */
+const poured = new Map<string, Chip[]>()
+
 function pourScene(chips: number, shape: Kind = 'pills'): Scene {
+  const build = (seed: number) => {
+    const key = [shape, chips, seed].join()
+    const known = poured.get(key) ?? pourChips(shape, chips, seed)
+    poured.set(key, known)
+    return known
+  }
   return {
     name: 'pour',
     title: '',
@@ -23,7 +32,7 @@ function pourScene(chips: number, shape: Kind = 'pills'): Scene {
     seconds: 4,
     conditions,
     seeds: 1,
-    build: (seed) => pourChips(shape, chips, seed),
+    build,
     measures: [],
     measure: () => [],
   }
@@ -37,8 +46,6 @@ function quantile(values: Float64Array, q: number) {
   return values.slice().sort()[Math.min(values.length - 1, Math.floor(q * values.length))]
 }
 
-/** ms after which a pour of four seconds is given up. */
-const limit = 24_000
 /** ms of a run that is not played again at once: noise is a small part of it. */
 const long = 400
 
@@ -46,7 +53,12 @@ const long = 400
  * Microseconds of each frame, the same run played three times over and the median taken frame by frame: what else the
  * machine does hits one run here and another there. Long runs are played once; null is one that was given up.
  */
-function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number) {
+function playThrice(
+  engine: Engine,
+  scene: Scene,
+  { setting, patience }: { setting: Setting; patience: number },
+  seed: number,
+) {
   const runs: Float64Array[] = []
   let total = 0
   do {
@@ -55,7 +67,7 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
     const begin = performance.now()
     for (let k = 0; k < frames; k++) {
       const start = performance.now()
-      if (start - begin > limit) return null
+      if (start - begin > patience) return null
       run.step()
       times[k] = (performance.now() - start) * 1000
     }
@@ -68,6 +80,8 @@ function playThrice(engine: Engine, scene: Scene, setting: Setting, seed: number
 
 /** Plays a scene again and again for so many milliseconds of processor: the compiler's threads count. */
 function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: number, seed = 1) {
+  // To find where chips begin is no warm-up.
+  scene.build(seed)
   const begin = process.cpuUsage()
   const over = () => process.cpuUsage(begin).user / 1000 > milliseconds
   for (let k = 0; !over(); k++) {
@@ -95,14 +109,14 @@ async function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>
   if (!warm) {
     // Whole pours, so that all of the code is known: of a few chips first, as a large one may take longer than there is time.
     if (job.chips > 60) warmUp(engine, pourScene(60, job.shape), job.setting, job.warmUp, 101)
-    warmUp(engine, scene, job.setting, job.warmUp, 101)
+    warmUp(engine, scene, job.setting, job.warmUp, job.chips > 250 ? 1 : 101)
     await compiled()
   }
   const costs: Cost[] = []
   let total = 0
   for (let seed = 1; seed <= job.seeds && (seed === 1 || total < long); seed++) {
-    const times = playThrice(engine, scene, job.setting, seed)
-    if (!times) return { atLeast: (limit * 1000) / frames }
+    const times = playThrice(engine, scene, job, seed)
+    if (!times) return { atLeast: (job.patience * 1000) / frames }
     total = (mean(times) * frames) / 1000
     costs.push({
       mean: mean(times),

@@ -49,6 +49,7 @@ for (const chips of options.chips.split(',').map(Number)) {
         shape: options.kind as Kind,
         seeds: pourSeeds(chips),
         warmUp: Number(options.ms),
+        patience: 60_000,
       })
       if (cost && 'mean' in cost) rounds[i].push(cost)
     }

@@ -14,6 +14,8 @@ export type Job =
       seeds: number
       /** ms of processor before anything is timed */
       warmUp: number
+      /** ms after which it is given up */
+      patience: number
     }
   | { kind: 'asleep'; engine: string; setting: Setting; chips: number }
   | { kind: 'allocation'; engine: string; setting: Setting; chips: number }

@@ -63,11 +63,14 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 /** How many chips a large pile has; it costs what a pour of as many costs. */
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
-/** ms into a run after which pours, and scenes, that were timed once are not timed again: the whole stays below twenty minutes. */
-const enoughPours = 4 * 60_000
-const enough = 17 * 60_000
-/** ms into a run after which brief engines are filmed no further: what is missing then, the next run films. */
-const enoughFilms = 8 * 60_000
+/**
+ * ms into a run after which pours are not timed again, brief engines are filmed no further, scenes are not timed again, and
+ * large pours are filmed no further: the whole stays below twenty minutes, and the next run films what is missing.
+ */
+const enoughPours = 1.5 * 60_000
+const enoughFilms = 7 * 60_000
+const enoughScenes = 10 * 60_000
+const enough = 16 * 60_000
 /** Seeds from which a chaotic scene is filmed at other settings than the default. */
 const fewSeeds = 3
 /** Seconds of processor after which a job is given up: of several films, which then may get a job each, or of one. */
@@ -234,37 +237,38 @@ async function runAll(title: string, tasks: Task[], workers: number, until = dea
   if (queue.length > 0) stopIfLate()
 }
 
-/** What one engine is timed at: the job of each round, or none when it needs no more. */
-type Player = (round: number) => Job | null
+/** What an engine is timed at in its turns, one after the other, or nothing when it needs no more. */
+type Player = (turn: number) => Task | null
 
 /**
- * Lets engines take turns, round after round, one at a time, each in a process that it keeps. The first round is for
- * all, what comes after it for as long as there is time.
+ * Lets engines take turns, one at a time, each in a process that it keeps. First rounds are for all, what comes after
+ * them for as long as there is time.
  */
-async function takeTurns(title: string, players: Player[], until: number) {
-  const progress = progressOf(title, players.length * mostRounds)
-  const table = players.map((jobOf) => ({ jobOf, seat: undefined as Turns | undefined, out: false }))
-  for (let round = 0; round < mostRounds; round++) {
+async function takeTurns(title: string, players: Player[], until: number, turns = mostRounds) {
+  const progress = progressOf(title, players.length * turns)
+  const table = players.map((taskOf) => ({ taskOf, seat: undefined as Turns | undefined, out: false }))
+  for (let turn = 0; turn < turns; turn++) {
     for (const player of table) {
       stopIfLate()
-      if (player.out || (round > 0 && performance.now() >= until)) continue
-      const job = player.jobOf(round)
-      if (!job) {
+      if (player.out) continue
+      const next = player.taskOf(turn)
+      if (next && next.round > 0 && performance.now() >= until) continue
+      if (!next) {
         // Who is out makes room: some hold a hundred megabytes.
         player.out = true
         player.seat?.close()
-        progress.skip(mostRounds - round)
+        progress.skip(turns - turn)
         continue
       }
-      const next = task(job, round)
       if (!isKnown(next)) {
         player.seat ??= openTurns(child)
-        await keep(next, player.seat.take(job, patience(job)))
+        await keep(next, player.seat.take(next.job, patience(next.job)))
       }
-      progress.tick(job)
+      progress.tick(next.job)
+      // What broke down may have taken its process along.
       if (outcomes.get(next.key) === null) {
-        player.out = true
-        progress.skip(mostRounds - round - 1)
+        player.seat?.close()
+        player.seat = undefined
       }
     }
   }
@@ -310,7 +314,9 @@ const contestants = (chips: number): Contestant[] =>
     return settings.map((setting) => ({ engine: engine.name, setting }))
   })
 const isDefault = ({ engine, setting }: Contestant) =>
-  engines.some(({ name, settings }) => name === engine && settings[0] === setting)
+  engines.some(({ name, settings }) => name === engine && settingName(settings[0]) === settingName(setting))
+/** ms after which a pour at another setting is given up: what is slower than the time it simulates is far from our cost. */
+const patienceWithSettings = 4000
 const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
   kind: 'pour cost' as const,
   engine,
@@ -319,6 +325,7 @@ const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
   shape: 'pills' as const,
   seeds: quick ? 1 : pourSeeds(chips),
   warmUp: quick ? 150 : 600,
+  patience: isDefault({ engine, setting }) ? 24_000 : patienceWithSettings,
 })
 const pourOf = (contestant: Contestant, chips: number, round = 0) =>
   outcomeOf(pourJob(contestant, chips), round)
@@ -364,7 +371,7 @@ const pourPlayer =
       if (!first || 'atLeast' in first) return null
       if (timedOnce(contestant.engine, first.mean, pourFrames, ownMean(chips))) return null
     }
-    return pourJob(contestant, chips)
+    return task(pourJob(contestant, chips), round)
   }
 
 // Pours come first: whoever is given up there needs no film of as many.
@@ -533,10 +540,10 @@ async function timeScenes() {
         (round) => {
           const job = sceneCostJob(engine, scene, round)
           if (job) sceneJobs[round].push(job)
-          return job
+          return job && task(job, round)
         },
     )
-    await takeTurns(`cost of ${scene.name}`, players, enough)
+    await takeTurns(`cost of ${scene.name}`, players, enoughScenes)
   }
 }
 
@@ -549,18 +556,21 @@ function leastOf(contestant: Contestant, chips: number): number {
   return 'mean' in pour ? pour.mean : pour.atLeast
 }
 
-/** Large pours at every setting, but for those that take longer than ours with fewer chips already. */
+/** Large pours at every other setting, once, but for those that take longer than ours with fewer chips already. */
 async function timeSettings() {
   for (const chips of sizes.filter(isSwept)) {
-    for (let i = 1; engines.some(({ settings }) => settings[i]); i++) {
-      const able = contestants(chips)
-        .filter(({ engine, setting }) =>
-          engines.some(({ name, settings }) => name === engine && settings[i] === setting),
-        )
-        .filter((contestant) => !(leastOf(contestant, chips) > (ownMean(chips) ?? Number.POSITIVE_INFINITY)))
-      const players = able.map((contestant) => pourPlayer(contestant, chips))
-      await takeTurns(`cost of ${chips} chips, setting ${i + 1}`, players, enough)
-    }
+    const own = ownMean(chips) ?? Number.POSITIVE_INFINITY
+    const others = contestants(chips).filter(
+      (contestant) => !isDefault(contestant) && leastOf(contestant, chips) <= own,
+    )
+    const players = engines.map(({ name }): Player => {
+      const jobs = others
+        .filter(({ engine }) => engine === name)
+        .map((contestant) => pourJob(contestant, chips))
+      return (turn) => (jobs[turn] ? task(jobs[turn]) : null)
+    })
+    const most = Math.max(...engines.map(({ settings }) => settings.length))
+    await takeTurns(`cost of ${chips} chips, other settings`, players, enough, most)
   }
 }
 
