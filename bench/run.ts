@@ -64,13 +64,12 @@ const chosenEngines = engineNames.filter((name) => !wantedEngines || wantedEngin
 const largeSize = (scene: { name: string }) => Number(/^pour-pills-(250|1000)$/.exec(scene.name)?.[1] ?? 0)
 const deadline = performance.now() + 60_000 * Number(options.minutes)
 /**
- * ms into a run after which pours are not timed again, brief engines are filmed no further, scenes are not timed again, and
- * large pours are filmed no further: the whole stays below twenty minutes, and the next run films what is missing.
+ * ms into a run after which pours are not timed again, brief engines are filmed no further, and nothing else is timed again
+ * or filmed: the whole stays below twenty minutes, and the next run films what is missing.
  */
 const enoughPours = 1.5 * 60_000
 const enoughFilms = 7 * 60_000
-const enoughScenes = 10 * 60_000
-const enough = 16 * 60_000
+const enough = 17 * 60_000
 /** Seeds from which a chaotic scene is filmed at other settings than the default. */
 const fewSeeds = 3
 /** Seconds of processor after which a job is given up: of several films, which then may get a job each, or of one. */
@@ -532,18 +531,18 @@ function sceneCostJob(engine: Engine, scene: Scene, round: number): SceneCostJob
 }
 
 /** Scene by scene: those that everyone looks at come first, should there be no time for all rounds of all. */
-async function timeScenes() {
+async function timeScenes(rounds: number[]) {
   const small = chosenScenes.filter((scene) => !largeSize(scene))
   for (const scene of small.toSorted((a, b) => b.seeds - a.seeds)) {
     const players = engines.map(
       (engine): Player =>
-        (round) => {
-          const job = sceneCostJob(engine, scene, round)
-          if (job) sceneJobs[round].push(job)
-          return job && task(job, round)
+        (turn) => {
+          const job = sceneCostJob(engine, scene, rounds[turn])
+          if (job) sceneJobs[rounds[turn]].push(job)
+          return job && task(job, rounds[turn])
         },
     )
-    await takeTurns(`cost of ${scene.name}`, players, enoughScenes)
+    await takeTurns(`cost of ${scene.name}`, players, enough, rounds.length)
   }
 }
 
@@ -589,7 +588,7 @@ async function timeHopeless() {
 }
 
 await timing(async () => {
-  await timeScenes()
+  await timeScenes([0])
   await timeSettings()
 })
 await filmLarge((chips) =>
@@ -602,6 +601,7 @@ await filmLarge((chips) =>
 )
 errors = errorRows()
 await timing(async () => {
+  if (mostRounds > 1) await timeScenes(Array.from({ length: mostRounds - 1 }, (_, i) => i + 1))
   if (!quick && !options.scene) await runAll('asleep', asTasks(singles('asleep')), 1)
   if (!quick) await timeHopeless()
 })
