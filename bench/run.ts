@@ -314,17 +314,19 @@ const contestants = (chips: number): Contestant[] =>
   })
 const isDefault = ({ engine, setting }: Contestant) =>
   engines.some(({ name, settings }) => name === engine && settingName(settings[0]) === settingName(setting))
-/** ms after which a pour at another setting is given up: what is slower than the time it simulates is far from our cost. */
-const patienceWithSettings = 4000
-const pourJob = ({ engine, setting }: Contestant, chips: number) => ({
+/** ms after which a pour is given up: at another setting than the default once it has taken half as long again as ours. */
+function pourPatience(contestant: Contestant, chips: number): number {
+  const own = isDefault(contestant) ? undefined : ownMean(chips)
+  return own ? Math.max(1000, 100 * Math.ceil((1.5 * own * pourFrames) / 1e5)) : 24_000
+}
+const pourJob = (contestant: Contestant, chips: number) => ({
   kind: 'pour cost' as const,
-  engine,
-  setting,
+  ...contestant,
   chips,
   shape: 'pills' as const,
   seeds: quick ? 1 : pourSeeds(chips),
   warmUp: quick ? 150 : 600,
-  patience: isDefault({ engine, setting }) ? 24_000 : patienceWithSettings,
+  patience: pourPatience(contestant, chips),
 })
 const pourOf = (contestant: Contestant, chips: number, round = 0) =>
   outcomeOf(pourJob(contestant, chips), round)
@@ -359,7 +361,9 @@ function meanOf(contestant: Contestant, chips: number) {
   const pour = pourOf(contestant, chips)
   return pour && 'mean' in pour ? pour.mean : undefined
 }
-const ownMean = (chips: number) => meanOf({ engine: ours, setting: {} }, chips)
+function ownMean(chips: number) {
+  return meanOf({ engine: ours, setting: {} }, chips)
+}
 
 /** A pour again and again, unless that would tell nothing. */
 const pourPlayer =
