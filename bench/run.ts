@@ -622,7 +622,10 @@ const spreadOf = (costs: number[]) => ({
 function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; reason: string } {
   const own = pourOf(contestant, chips)
   if (own && 'atLeast' in own) {
-    return { atLeast: own.atLeast, reason: `given up after ${(own.atLeast * pourFrames) / 1e6} s` }
+    return {
+      atLeast: own.atLeast,
+      reason: `given up after ${((own.atLeast * pourFrames) / 1e6).toFixed(1)} s`,
+    }
   }
   const fewer = withFewer(contestant, chips)
   const least = isSwept(chips) && !isDefault(contestant) ? leastOf(contestant, chips) : 0

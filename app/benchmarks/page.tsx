@@ -236,9 +236,10 @@ export default function Benchmarks() {
           <li>
             Engines take turns, each scene in a process of its own. Costs are the mean frame of a scene’s
             first six seconds, of a pour of 250 and more its first four, and the median of {results.rounds}{' '}
-            rounds{spreads}. Timed once are peers whose run takes longer than 0.2 s and more than twice as
-            long as ours, and what there is no time for again: “rounds” in the raw data says so. Differences
-            under five per cent count as none, and errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
+            rounds{spreads}. Timed once are large pours at other settings than the default, peers whose run
+            takes longer than 0.2 s and more than twice as long as ours, and what there is no time for again:
+            “rounds” in the raw data says so. Differences under five per cent count as none, and errors below
+            10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
           </li>
           <li>
             Piles of chance are filmed from {inWords(seedsOf(ours).first)} seeds as an engine comes, from{' '}
@@ -493,8 +494,8 @@ const orderTable = {
       )
       const [first, last] = [errors[1], errors[errors.length - 1]]
       const order = Math.log2(first / last) / Math.log2(fixedSteps[fixedSteps.length - 1] / fixedSteps[1])
-      // Neither rounding, nor what another bound than the sub-step's decides, has an order.
-      if (!measure.ranked || !(first > 1e-6) || measure.unit === 'weights' || order < 0.5) return []
+      // Neither rounding, nor what another bound than the sub-step's decides, nor what was not filmed at all of them has an order.
+      if (!measure.ranked || !(first > 1e-6) || measure.unit === 'weights' || !(order >= 0.5)) return []
       const title = scene.measures.length > 1 ? `${scene.title}: ${measure.name}` : scene.title
       return [[title, ...errors.map((error) => `${figure(error)} ${measure.unit}`), order.toFixed(1)]]
     }),
