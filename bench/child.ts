@@ -131,7 +131,10 @@ async function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>
 }
 
 /** Microseconds per frame of a scene's first six seconds, for each setting. */
-async function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' }>) {
+async function sceneCost(
+  engine: Engine,
+  job: Extract<Job, { kind: 'scene cost' }>,
+): Promise<(number | AtLeast)[]> {
   const scene = sceneNamed(job.scene)
   const count = Math.round(60 * Math.min(6, scene.seconds))
   if (!warm) {
@@ -141,7 +144,8 @@ async function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' 
     await compiled()
   }
   // What everyone looks at comes last: by then the compiler has seen most.
-  const costs = job.settings.toReversed().map((setting) => {
+  const played = job.settings.map((setting, i) => ({ setting, patience: job.patience[i] }))
+  const costs = played.toReversed().map(({ setting, patience }) => {
     if (warm) warmUp(engine, scene, setting, 5, job.seed)
     const costs: number[] = []
     const begin = performance.now()
@@ -149,7 +153,12 @@ async function sceneCost(engine: Engine, job: Extract<Job, { kind: 'scene cost' 
     do {
       const run = engine.start(scene, scene.build(job.seed), setting, false)
       const start = performance.now()
-      for (let k = 0; k < count; k++) run.step()
+      for (let k = 0; k < count; k++) {
+        if (patience !== null && performance.now() - start > patience) {
+          return { atLeast: (patience * 1000) / count }
+        }
+        run.step()
+      }
       costs.push(((performance.now() - start) * 1000) / count)
       run.free()
     } while (passed() < (costs.length < 3 ? 15 : 5))

@@ -20,9 +20,9 @@ export type Engine = {
   packages: string[]
   /** every setting of its natural knobs, the default first */
   settings: Setting[]
-  /** the one of them for large piles, where sweeping all would take hours */
+  /** the one of them beside the default that stands for all others where there is no time for them */
   accurate: Setting
-  /** takes so long, or stands beside a faster build of its own, that its pours are filmed from fewer seeds and its largest piles only as it comes */
+  /** takes so long, or stands beside a faster build of its own, that its pours are filmed from fewer seeds, and its largest piles after all others */
   brief?: true
   /** another build of the same engine, whose chips move by the same bits: its films stand for both */
   sameBitsAs?: string

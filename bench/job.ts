@@ -4,7 +4,15 @@ import { median } from './film'
 
 export type Job =
   | { kind: 'errors'; engine: string; scene: string; settings: Setting[]; seeds: number }
-  | { kind: 'scene cost'; engine: string; scene: string; settings: Setting[]; seed: number }
+  | {
+      kind: 'scene cost'
+      engine: string
+      scene: string
+      settings: Setting[]
+      seed: number
+      /** ms after which each setting is given up, null where it is waited for */
+      patience: (number | null)[]
+    }
   | {
       kind: 'pour cost'
       engine: string
@@ -32,7 +40,7 @@ export type Cost = {
   worst: number
 }
 
-/** Microseconds per frame that a pour costs at least: it was given up. */
+/** Microseconds per frame that a run costs at least: it was given up. */
 export type AtLeast = { atLeast: number }
 
 /** The median of each figure. */

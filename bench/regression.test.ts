@@ -21,8 +21,9 @@ describe('the solver', () => {
       const bound = bounds[name]
       expect(bound, `${name} has no bounds yet; ${advice}`).toBeDefined()
       const { errors, work } = measured[name]
+      expect(Object.keys(errors), `measures of ${name}; ${advice}`).toEqual(Object.keys(bound.errors))
       for (const [key, value] of Object.entries(errors)) {
-        const most = bound.errors[key] ?? Number.POSITIVE_INFINITY
+        const most = bound.errors[key] as number
         expect(value ?? Number.POSITIVE_INFINITY, `${name}, ${key}; ${advice}`).toBeLessThanOrEqual(most)
       }
       expect(work, `work of ${name}; ${advice}`).toEqual(bound.work)

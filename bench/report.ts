@@ -162,3 +162,7 @@ export function verdicts(results: Results): Verdict[] {
     }),
   )
 }
+
+/** Whether a cheaper peer errs no more as errors count: neither lies below and to the left of the other. */
+export const isTie = ({ beaten, asExact }: Verdict) =>
+  beaten.length === 0 && (asExact?.factor ?? 1) < 1 / noise

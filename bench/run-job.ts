@@ -45,7 +45,7 @@ export async function bundle(script: string) {
 export type Outcome<J extends Job> = J extends { kind: 'errors' }
   ? number[][]
   : J extends { kind: 'scene cost' }
-    ? number[]
+    ? (number | AtLeast)[]
     : J extends { kind: 'pour cost' }
       ? Cost | AtLeast
       : number
