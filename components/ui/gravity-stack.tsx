@@ -929,7 +929,7 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
   finish(shape, a, b)
 }
 
-/** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
+/** Floor at y = height, walls at x = 0 and x = width. */
 interface Walls {
   /** px, size of the stage. */
   width: number
@@ -1060,7 +1060,7 @@ class Contacts {
   head: Int32Array = new Int32Array(0)
   next: Int32Array = new Int32Array(0)
   last: Int32Array = new Int32Array(0)
-  /** Number of the impact phase in which the contact was taken up. */
+  /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(0)
   /** Pairs measured since the count was last set to 0. */
   measured = 0
@@ -1916,10 +1916,10 @@ function kick(
 }
 
 /**
- * What the contacts `list[from..to)` ask of the coming sub-step of `h` seconds. Those that have moved are measured again (a
+ * What the contacts `list[from..to)` ask of the coming sub-step. Those that have moved are measured again (a
  * wall at every move, a touching pair after `REFRESH`, others when they may meet); those that will hit join the impacts;
  * the others learn how fast they may close. Those that touch, or are about to, are written into `live` from `from` on;
- * returns where they end. With `again`, a contact whose bodies stood still in the last sub-step is left as it is.
+ * returns where they end.
  */
 function prepare(
   scene: Scene,
@@ -2436,6 +2436,7 @@ interface Hold {
 }
 
 function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  turn(bodies.state, bodies.motion, body)
   const c = bodies.motion[body * MOTION + COS]
   const s = bodies.motion[body * MOTION + SIN]
   const dx = x - bodies.state[body * STATE + X]
@@ -2982,7 +2983,7 @@ type World = ReturnType<typeof createWorld>
 
 /**
  * A world of rounded boxes in a stage. Same calls, same bits, in every JavaScript engine.
- * Values that are not finite are taken as 0 (sizes as 1 px), so that nothing is ever lost.
+ * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
  */
 function createWorld(options: WorldOptions) {
   const scene = new Scene()
@@ -3023,7 +3024,7 @@ function createWorld(options: WorldOptions) {
   /** Of the present island, before and after its step. */
   const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
-  /** Steps in which partings have left the island of a body in a jam, since it last came free. */
+  /** Steps in which partings have left the island of a body in a jam, since it last woke. */
   let jams: Int32Array = new Int32Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
@@ -3413,7 +3414,7 @@ function createWorld(options: WorldOptions) {
       forget(id)
     },
 
-    /** Moves floor and right wall; what leaned on them wakes. */
+    /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
       if (size(width) === walls.width && size(height) === walls.height) return
       walls.width = size(width)
@@ -3439,10 +3440,14 @@ function createWorld(options: WorldOptions) {
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
       scene.friction = within(change.friction, 0, 100, scene.friction)
-      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) wake(i)
+      for (let i = 1; i < bodies.count; i++) {
+        if (!bodies.alive[i]) continue
+        wake(i)
+        bodies.rest[i * 4 + 3] = 0
+      }
     },
 
-    /** Lets `seconds` pass in fixed steps; what is left over is simulated next time. */
+    /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
       stats.steps = 0
       stats.awake = 0
@@ -3453,7 +3458,7 @@ function createWorld(options: WorldOptions) {
       stats.rows = 0
       contacts.rows = 0
       impacts.sweeps = 0
-      left += seconds > 0 && seconds < Infinity ? seconds : 0
+      left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
@@ -3484,8 +3489,9 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Takes hold of body `id` at the point (x, y) of the stage. */
+    /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
+      if (!bodies.alive[id]) return { moveTo() {}, release() {} }
       const hold = createHold(
         bodies,
         id,
@@ -3684,10 +3690,10 @@ function releasePose(
 
 // stage: the DOM: measure, paint, point, observe, loop ──────────────────────────────────────────────────────
 
-// The only room with a DOM. Layout is read in observers and at a press, written in the frame loop as transforms.
+// The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.
 
-/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup has the same query. */
+/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
 const LIMITS = {
@@ -3772,6 +3778,8 @@ interface Press {
   offY: number
   touch: boolean
   moved?: boolean
+  /** It came up; else it was taken away. */
+  up?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: ReturnType<World['grab']>
 }
@@ -3808,7 +3816,8 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     (entries) => {
       for (const entry of entries) watched.get(entry.target)?.(entry)
     },
-    { threshold: [0, 0.1, IN_VIEW] },
+    // Of a very tall stage even a hundredth may be all that fits.
+    { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
 }
@@ -3873,11 +3882,15 @@ function createStage(root: HTMLElement): Stage {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
       else if (target === root) {
+        const hidden = !(width * height)
         width = root.clientWidth
         height = root.clientHeight
         if (width * height > 0) {
           if (world) world.resize(width, height)
           else begin()
+          // What has lost its size meanwhile had none to lose.
+          for (const chip of hidden ? chips.values() : [])
+            if (chip.width && !chip.element.offsetWidth) shape(chip, 0, 0)
         }
       }
     }
@@ -3888,6 +3901,8 @@ function createStage(root: HTMLElement): Stage {
   const changes = new MutationObserver((records) => {
     for (const { target } of records) reshape(target)
     collect()
+    // An element that React moves to another place loses the pointer.
+    for (const press of presses.values()) if (press.moved) capture(press)
     sync()
   })
 
@@ -3919,6 +3934,8 @@ function createStage(root: HTMLElement): Stage {
 
   function shape(chip: Chip, chipWidth: number, chipHeight: number) {
     if (!(chipWidth * chipHeight)) {
+      // Hidden with its stage, it keeps its place in the pile.
+      if (!(width * height)) return
       if (process.env.NODE_ENV !== 'production')
         warn(
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
@@ -3962,6 +3979,7 @@ function createStage(root: HTMLElement): Stage {
     bodies = []
     queue = []
     clock = turns = slot = 0
+    disarm()
     for (const chip of chips.values()) {
       chip.id = -1
       mark(chip, 'waiting')
@@ -3972,17 +3990,28 @@ function createStage(root: HTMLElement): Stage {
   function enqueue(chip: Chip) {
     chip.turn = turns++
     slot = Math.max(slot, clock)
-    chip.due = Math.max(releaseTime(chip.turn, slot), clock)
+    // Nobody can use what still waits out of sight.
+    chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
     slot += options.stagger / 1000
     let place = queue.length
     while (place > 0 && queue[place - 1]!.due > chip.due) place--
     queue.splice(place, 0, chip)
   }
 
+  /** Times the releases to come by a new stagger. */
+  function requeue() {
+    const waiting = queue
+    queue = []
+    slot = clock && clock + options.stagger / 1000
+    disarm()
+    waiting.forEach(enqueue)
+  }
+
   function withdraw(chip: Chip) {
     queue = queue.filter((other) => other !== chip)
     for (const press of presses.values()) if (press.chip === chip) letGo(press)
     world?.remove(chip.id)
+    delete bodies[chip.id]
     chip.id = -1
     mark(chip, 'waiting')
   }
@@ -4094,6 +4123,11 @@ function createStage(root: HTMLElement): Stage {
     if (settled) options.onSettle?.()
   }
 
+  function disarm() {
+    clearTimeout(timer)
+    awaited = undefined
+  }
+
   function arrive() {
     awaited = undefined
     advance(queue[0]!.due)
@@ -4160,13 +4194,12 @@ function createStage(root: HTMLElement): Stage {
     const chip = chipAt(target)
     if (!chip) return
     toFront(chip)
-    // Nobody can use what still waits out of sight.
-    if (chip.id >= 0) return
+    if (chip.id >= 0 || still.matches) return
     root.scrollIntoView({ block: 'nearest' })
     started = true
     chip.due = clock
-    awaited = undefined
     queue.sort((a, b) => a.due - b.due)
+    disarm()
     sync()
   }
 
@@ -4221,6 +4254,8 @@ function createStage(root: HTMLElement): Stage {
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
+    // Its release was lost: to a menu of the system, an alert.
+    if (event.isTrusted && event.type === 'pointermove' && !event.buttons) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.down.clientX
     const dy = event.clientY - press.down.clientY
@@ -4228,24 +4263,30 @@ function createStage(root: HTMLElement): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      try {
-        // A finger is captured by what it touched from the start.
-        if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
-      } catch {
-        // A pointer made up by a script can't be captured.
-      }
+      // A finger is captured by what it touched from the start.
+      if (!press.touch) capture(press)
       if (!press.grab) hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
+  }
+
+  function capture({ chip, down }: Press) {
+    try {
+      chip.element.setPointerCapture(down.pointerId)
+    } catch {
+      // A pointer that is gone, or made up by a script, can't be captured.
+    }
   }
 
   /** The pointer is up, or lost to the browser. */
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
+    // The chip has taken it from what is inside it, or has it again.
+    if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
     if (event.type === 'pointerup') {
       move(event)
-      swallowClick = !!press.moved
+      press.up = true
     }
     letGo(press)
   }
@@ -4253,7 +4294,10 @@ function createStage(root: HTMLElement): Stage {
   function letGo(press: Press) {
     presses.delete(press.down.pointerId)
     clearTimeout(press.timer)
+    if (press.moved) swallowClick = true
     if (!press.grab) return
+    // Taken from a hand that has stood still, it is not thrown: what the hand did before is over.
+    if (!press.up) press.grab.moveTo(press.x, press.y, performance.now() / 1000)
     press.grab.release()
     mark(press.chip, 'falling')
     draw(press.chip)
@@ -4288,7 +4332,9 @@ function createStage(root: HTMLElement): Stage {
   watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
     inView = isIntersecting
     if (inView && !listening) arm()
-    const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
+    // A frame of another site is not told how high the window is.
+    const most = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
+    const fills = intersectionRect.height > FILLS_WINDOW * most
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
     if (listening) sync()
   })
@@ -4301,8 +4347,9 @@ function createStage(root: HTMLElement): Stage {
         warn(
           `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
         )
-      if (next.onSettle && typeof next.onSettle !== 'function') {
-        if (process.env.NODE_ENV !== 'production')
+      if (typeof next.onSettle !== 'function') {
+        // `ready && save` is how people leave it out.
+        if (process.env.NODE_ENV !== 'production' && next.onSettle)
           warn(
             `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
           )
@@ -4311,11 +4358,13 @@ function createStage(root: HTMLElement): Stage {
       let changed = false
       for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
         options[name] = sane(name, next[name])
-        if (options[name] !== before?.[name]) changed = true
+        if (options[name] !== before?.[name] && name !== 'stagger') changed = true
       }
       if (listening && options.interactive !== before.interactive) listen()
-      if (!world || !changed) return
-      world.configure(options)
+      const paced = options.stagger !== before?.stagger
+      if (!world || !(changed || paced)) return
+      if (changed) world.configure(options)
+      if (paced) requeue()
       sync()
     },
     drop() {
@@ -4340,10 +4389,11 @@ function createStage(root: HTMLElement): Stage {
     destroy() {
       presses.forEach(letGo)
       watcher!.unobserve(root)
+      watched.delete(root)
       listening?.abort()
       sizes.disconnect()
       changes.disconnect()
-      clearTimeout(timer)
+      disarm()
       cancelFrame(tick)
       root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {
@@ -4358,7 +4408,7 @@ function createStage(root: HTMLElement): Stage {
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips anew. */
+  /** Drops all chips anew; does nothing before the stage has first come near the view. */
   drop: () => void
   /** Throws the pile into the air. */
   shake: () => void
@@ -4397,14 +4447,14 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   interactive?: boolean
-  /** Forwarded to the stage; sets its height. */
+  /** Forwarded to the stage; sets its height, 20rem without. */
   className?: string
   /**
    * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
   friction?: number
-  /** Called each time the last moving chip has come to rest. */
+  /** Called each time the last moving chip has come to rest; never while reduced motion is asked for, as nothing moves. */
   onSettle?: () => void
   /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
   actionsRef?: React.Ref<GravityStackActions>
@@ -4448,7 +4498,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
   React.useEffect(() => {
     const created = createStage(root.current!)
     stage.current = created
-    return () => created.destroy()
+    return () => {
+      created.destroy()
+      stage.current = null
+    }
   }, [])
 
   React.useEffect(() => {

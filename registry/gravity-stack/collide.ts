@@ -476,7 +476,7 @@ function collideBoxes(bodies: Bodies, a: number, b: number): void {
   finish(shape, a, b)
 }
 
-/** Floor, left wall, right wall: the inner side is where n·x ≥ offset. */
+/** Floor at y = height, walls at x = 0 and x = width. */
 export interface Walls {
   /** px, size of the stage. */
   width: number

@@ -109,7 +109,7 @@ export class Contacts {
   head: Int32Array = new Int32Array(0)
   next: Int32Array = new Int32Array(0)
   last: Int32Array = new Int32Array(0)
-  /** Number of the impact phase in which the contact was taken up. */
+  /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(0)
   /** Pairs measured since the count was last set to 0. */
   measured = 0

@@ -2,12 +2,13 @@ import { describe, expect, it } from 'vitest'
 import { chipDistance } from '../../scenes/exact-distance'
 import { pourChips } from '../../scenes/piles'
 import { type Chip, frame } from '../../scenes/scene'
+import { createHold } from './grab'
 import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
 
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }
 const floor = stage.height
 
-/** Holds chip `i` of a pile that rests. */
+/** A pile that rests. */
 function pile(chips: Chip[]) {
   const made = worldOf(chips)
   settle(made.world)
@@ -251,6 +252,29 @@ describe('a chip let go', () => {
     settle(world)
     expect(world.resting).toBe(true)
     expect(world.read(id).x).toBeCloseTo(100, 3)
+  })
+
+  it('is not to be had once it is out of the world', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    world.remove(ids[0])
+    const grab = world.grab(ids[0], 320, 100)
+    world.add({ ...pill, x: 100, y: 100 })
+    grab.moveTo(600, 20, 1)
+    run(world, 0.5)
+    grab.release()
+    settle(world)
+    expect(world.resting).toBe(true)
+    expect(world.read(ids[0]).x).toBeCloseTo(100, 3)
+  })
+
+  it('may be caught again, at the very point, however fast it spins', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100, spin: 20 }])
+    run(world, 0.1)
+    const { x, y, angle } = world.read(ids[0])
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
+    const hold = createHold(world.scene.bodies, ids[0], x + 30 * cos - 5 * sin, y + 30 * sin + 5 * cos)
+    expect(hold.localX).toBeCloseTo(30, 6)
+    expect(hold.localY).toBeCloseTo(5, 6)
   })
 
   it('is held by two pointers until both let go', () => {

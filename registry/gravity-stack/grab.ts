@@ -50,6 +50,7 @@ export interface Hold {
 }
 
 export function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  turn(bodies.state, bodies.motion, body)
   const c = bodies.motion[body * MOTION + COS]
   const s = bodies.motion[body * MOTION + SIN]
   const dx = x - bodies.state[body * STATE + X]

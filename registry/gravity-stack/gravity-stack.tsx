@@ -4,7 +4,7 @@ import { createStage, type Stage } from './stage'
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips anew. */
+  /** Drops all chips anew; does nothing before the stage has first come near the view. */
   drop: () => void
   /** Throws the pile into the air. */
   shake: () => void
@@ -43,14 +43,14 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   interactive?: boolean
-  /** Forwarded to the stage; sets its height. */
+  /** Forwarded to the stage; sets its height, 20rem without. */
   className?: string
   /**
    * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
   friction?: number
-  /** Called each time the last moving chip has come to rest. */
+  /** Called each time the last moving chip has come to rest; never while reduced motion is asked for, as nothing moves. */
   onSettle?: () => void
   /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
   actionsRef?: React.Ref<GravityStackActions>
@@ -94,7 +94,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
   React.useEffect(() => {
     const created = createStage(root.current!)
     stage.current = created
-    return () => created.destroy()
+    return () => {
+      created.destroy()
+      stage.current = null
+    }
   }, [])
 
   React.useEffect(() => {

@@ -141,10 +141,10 @@ export function kick(
 }
 
 /**
- * What the contacts `list[from..to)` ask of the coming sub-step of `h` seconds. Those that have moved are measured again (a
+ * What the contacts `list[from..to)` ask of the coming sub-step. Those that have moved are measured again (a
  * wall at every move, a touching pair after `REFRESH`, others when they may meet); those that will hit join the impacts;
  * the others learn how fast they may close. Those that touch, or are about to, are written into `live` from `from` on;
- * returns where they end. With `again`, a contact whose bodies stood still in the last sub-step is left as it is.
+ * returns where they end.
  */
 export function prepare(
   scene: Scene,

@@ -4,10 +4,10 @@ import { BOUNCE, FRICTION, GRAVITY } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './world'
 
-// The only room with a DOM. Layout is read in observers and at a press, written in the frame loop as transforms.
+// The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.
 
-/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup has the same query. */
+/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
 const LIMITS = {
@@ -92,6 +92,8 @@ interface Press {
   offY: number
   touch: boolean
   moved?: boolean
+  /** It came up; else it was taken away. */
+  up?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: ReturnType<World['grab']>
 }
@@ -128,7 +130,8 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     (entries) => {
       for (const entry of entries) watched.get(entry.target)?.(entry)
     },
-    { threshold: [0, 0.1, IN_VIEW] },
+    // Of a very tall stage even a hundredth may be all that fits.
+    { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
 }
@@ -193,11 +196,15 @@ export function createStage(root: HTMLElement): Stage {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
       else if (target === root) {
+        const hidden = !(width * height)
         width = root.clientWidth
         height = root.clientHeight
         if (width * height > 0) {
           if (world) world.resize(width, height)
           else begin()
+          // What has lost its size meanwhile had none to lose.
+          for (const chip of hidden ? chips.values() : [])
+            if (chip.width && !chip.element.offsetWidth) shape(chip, 0, 0)
         }
       }
     }
@@ -208,6 +215,8 @@ export function createStage(root: HTMLElement): Stage {
   const changes = new MutationObserver((records) => {
     for (const { target } of records) reshape(target)
     collect()
+    // An element that React moves to another place loses the pointer.
+    for (const press of presses.values()) if (press.moved) capture(press)
     sync()
   })
 
@@ -239,6 +248,8 @@ export function createStage(root: HTMLElement): Stage {
 
   function shape(chip: Chip, chipWidth: number, chipHeight: number) {
     if (!(chipWidth * chipHeight)) {
+      // Hidden with its stage, it keeps its place in the pile.
+      if (!(width * height)) return
       if (process.env.NODE_ENV !== 'production')
         warn(
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
@@ -282,6 +293,7 @@ export function createStage(root: HTMLElement): Stage {
     bodies = []
     queue = []
     clock = turns = slot = 0
+    disarm()
     for (const chip of chips.values()) {
       chip.id = -1
       mark(chip, 'waiting')
@@ -292,17 +304,28 @@ export function createStage(root: HTMLElement): Stage {
   function enqueue(chip: Chip) {
     chip.turn = turns++
     slot = Math.max(slot, clock)
-    chip.due = Math.max(releaseTime(chip.turn, slot), clock)
+    // Nobody can use what still waits out of sight.
+    chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
     slot += options.stagger / 1000
     let place = queue.length
     while (place > 0 && queue[place - 1]!.due > chip.due) place--
     queue.splice(place, 0, chip)
   }
 
+  /** Times the releases to come by a new stagger. */
+  function requeue() {
+    const waiting = queue
+    queue = []
+    slot = clock && clock + options.stagger / 1000
+    disarm()
+    waiting.forEach(enqueue)
+  }
+
   function withdraw(chip: Chip) {
     queue = queue.filter((other) => other !== chip)
     for (const press of presses.values()) if (press.chip === chip) letGo(press)
     world?.remove(chip.id)
+    delete bodies[chip.id]
     chip.id = -1
     mark(chip, 'waiting')
   }
@@ -414,6 +437,11 @@ export function createStage(root: HTMLElement): Stage {
     if (settled) options.onSettle?.()
   }
 
+  function disarm() {
+    clearTimeout(timer)
+    awaited = undefined
+  }
+
   function arrive() {
     awaited = undefined
     advance(queue[0]!.due)
@@ -480,13 +508,12 @@ export function createStage(root: HTMLElement): Stage {
     const chip = chipAt(target)
     if (!chip) return
     toFront(chip)
-    // Nobody can use what still waits out of sight.
-    if (chip.id >= 0) return
+    if (chip.id >= 0 || still.matches) return
     root.scrollIntoView({ block: 'nearest' })
     started = true
     chip.due = clock
-    awaited = undefined
     queue.sort((a, b) => a.due - b.due)
+    disarm()
     sync()
   }
 
@@ -541,6 +568,8 @@ export function createStage(root: HTMLElement): Stage {
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
+    // Its release was lost: to a menu of the system, an alert.
+    if (event.isTrusted && event.type === 'pointermove' && !event.buttons) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.down.clientX
     const dy = event.clientY - press.down.clientY
@@ -548,24 +577,30 @@ export function createStage(root: HTMLElement): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      try {
-        // A finger is captured by what it touched from the start.
-        if (!press.touch) press.chip.element.setPointerCapture(event.pointerId)
-      } catch {
-        // A pointer made up by a script can't be captured.
-      }
+      // A finger is captured by what it touched from the start.
+      if (!press.touch) capture(press)
       if (!press.grab) hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
+  }
+
+  function capture({ chip, down }: Press) {
+    try {
+      chip.element.setPointerCapture(down.pointerId)
+    } catch {
+      // A pointer that is gone, or made up by a script, can't be captured.
+    }
   }
 
   /** The pointer is up, or lost to the browser. */
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
+    // The chip has taken it from what is inside it, or has it again.
+    if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
     if (event.type === 'pointerup') {
       move(event)
-      swallowClick = !!press.moved
+      press.up = true
     }
     letGo(press)
   }
@@ -573,7 +608,10 @@ export function createStage(root: HTMLElement): Stage {
   function letGo(press: Press) {
     presses.delete(press.down.pointerId)
     clearTimeout(press.timer)
+    if (press.moved) swallowClick = true
     if (!press.grab) return
+    // Taken from a hand that has stood still, it is not thrown: what the hand did before is over.
+    if (!press.up) press.grab.moveTo(press.x, press.y, performance.now() / 1000)
     press.grab.release()
     mark(press.chip, 'falling')
     draw(press.chip)
@@ -608,7 +646,9 @@ export function createStage(root: HTMLElement): Stage {
   watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
     inView = isIntersecting
     if (inView && !listening) arm()
-    const fills = intersectionRect.height > FILLS_WINDOW * Number(rootBounds?.height)
+    // A frame of another site is not told how high the window is.
+    const most = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
+    const fills = intersectionRect.height > FILLS_WINDOW * most
     if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
     if (listening) sync()
   })
@@ -621,8 +661,9 @@ export function createStage(root: HTMLElement): Stage {
         warn(
           `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
         )
-      if (next.onSettle && typeof next.onSettle !== 'function') {
-        if (process.env.NODE_ENV !== 'production')
+      if (typeof next.onSettle !== 'function') {
+        // `ready && save` is how people leave it out.
+        if (process.env.NODE_ENV !== 'production' && next.onSettle)
           warn(
             `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
           )
@@ -631,11 +672,13 @@ export function createStage(root: HTMLElement): Stage {
       let changed = false
       for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
         options[name] = sane(name, next[name])
-        if (options[name] !== before?.[name]) changed = true
+        if (options[name] !== before?.[name] && name !== 'stagger') changed = true
       }
       if (listening && options.interactive !== before.interactive) listen()
-      if (!world || !changed) return
-      world.configure(options)
+      const paced = options.stagger !== before?.stagger
+      if (!world || !(changed || paced)) return
+      if (changed) world.configure(options)
+      if (paced) requeue()
       sync()
     },
     drop() {
@@ -660,10 +703,11 @@ export function createStage(root: HTMLElement): Stage {
     destroy() {
       presses.forEach(letGo)
       watcher!.unobserve(root)
+      watched.delete(root)
       listening?.abort()
       sizes.disconnect()
       changes.disconnect()
-      clearTimeout(timer)
+      disarm()
       cancelFrame(tick)
       root.setAttribute('data-state', 'static')
       for (const chip of chips.values()) {

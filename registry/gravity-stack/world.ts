@@ -159,7 +159,7 @@ export type World = ReturnType<typeof createWorld>
 
 /**
  * A world of rounded boxes in a stage. Same calls, same bits, in every JavaScript engine.
- * Values that are not finite are taken as 0 (sizes as 1 px), so that nothing is ever lost.
+ * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
  */
 export function createWorld(options: WorldOptions) {
   const scene = new Scene()
@@ -200,7 +200,7 @@ export function createWorld(options: WorldOptions) {
   /** Of the present island, before and after its step. */
   const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
-  /** Steps in which partings have left the island of a body in a jam, since it last came free. */
+  /** Steps in which partings have left the island of a body in a jam, since it last woke. */
   let jams: Int32Array = new Int32Array(0)
   let awake: Int32Array = new Int32Array(0)
   let awakeCount = 0
@@ -590,7 +590,7 @@ export function createWorld(options: WorldOptions) {
       forget(id)
     },
 
-    /** Moves floor and right wall; what leaned on them wakes. */
+    /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
       if (size(width) === walls.width && size(height) === walls.height) return
       walls.width = size(width)
@@ -616,10 +616,14 @@ export function createWorld(options: WorldOptions) {
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
       scene.friction = within(change.friction, 0, 100, scene.friction)
-      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) wake(i)
+      for (let i = 1; i < bodies.count; i++) {
+        if (!bodies.alive[i]) continue
+        wake(i)
+        bodies.rest[i * 4 + 3] = 0
+      }
     },
 
-    /** Lets `seconds` pass in fixed steps; what is left over is simulated next time. */
+    /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
       stats.steps = 0
       stats.awake = 0
@@ -630,7 +634,7 @@ export function createWorld(options: WorldOptions) {
       stats.rows = 0
       contacts.rows = 0
       impacts.sweeps = 0
-      left += seconds > 0 && seconds < Infinity ? seconds : 0
+      left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
@@ -661,8 +665,9 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Takes hold of body `id` at the point (x, y) of the stage. */
+    /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
+      if (!bodies.alive[id]) return { moveTo() {}, release() {} }
       const hold = createHold(
         bodies,
         id,

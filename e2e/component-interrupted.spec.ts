@@ -1,0 +1,152 @@
+import { expect, test } from './fixtures/stage'
+
+test('a stage hidden with its pile shows the same pile again, and has not settled anew', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('extras')
+  const before = await stage.pile()
+  const main = page.locator('main')
+  await main.evaluate((element) => {
+    element.style.display = 'none'
+  })
+  await stage.probe((probe) => probe.pass(3))
+  await main.evaluate((element) => {
+    element.style.display = ''
+  })
+  await stage.probe((probe) => probe.pass(3))
+  expect(await stage.pile()).toEqual(before)
+  expect(await stage.probe((probe) => probe.releases.length)).toBe(6)
+  await expect(page.locator('#settled')).toHaveText('1')
+})
+
+test('a new stagger leaves a pile at rest alone', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await page.locator('#pace').click()
+  await stage.probe((probe) => probe.pass(5))
+  await expect(stage.root).toHaveAttribute('data-state', 'resting')
+  expect(await stage.probe((probe) => probe.states.filter((state) => state === 'running').length)).toBe(1)
+})
+
+test('a new stagger holds for chips that wait already', async ({ stage, page }) => {
+  await stage.open('extras', { stagger: 60000 })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  expect(await stage.states()).toContain('waiting')
+  await page.locator('#pace').click()
+  await expect.poll(() => stage.states()).not.toContain('waiting')
+  await stage.reaches('resting')
+})
+
+test('a chip whose release was lost to something else is let go when the pointer comes back', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.evaluate(() => {
+    const swallow = (event: Event) => event.stopImmediatePropagation()
+    window.addEventListener('pointerup', swallow, { capture: true, once: true })
+  })
+  await page.mouse.up()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.move(x + 40, y - 60, { steps: 3 })
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+})
+
+test('a chip whose content captures the pointer itself is dragged like any other', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await chip.evaluate(({ firstElementChild: face }) =>
+    face!.addEventListener('pointerdown', (event) =>
+      face!.setPointerCapture((event as PointerEvent).pointerId),
+    ),
+  )
+  const { y } = await stage.drag(chip, 0, -120)
+  await stage.hangs(chip)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect(Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(30)
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+})
+
+test('a new order of the children leaves a chip in the hand that drags it', async ({ stage, page }) => {
+  await stage.settled('children')
+  const chip = stage.chip('one')
+  await stage.drag(chip, 0, -80)
+  await page.locator('#reverse').evaluate((button: HTMLElement) => button.click())
+  await expect(stage.chips.first()).toHaveText('eight')
+  await stage.probe((probe) => probe.pass(3))
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  const { x } = await stage.centre(chip)
+  const way = x < 320 ? 1 : -1
+  await page.mouse.move(x + way * 150, 100, { steps: 5 })
+  await stage.hangs(chip)
+  expect(way * ((await stage.centre(chip)).x - x)).toBeGreaterThan(100)
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+})
+
+test('taken from a hand that has stood still a chip falls straight down', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.nth(0)
+  const from = await stage.centre(chip)
+  const way = from.x < 250 ? 1 : -1
+  await stage.drag(chip, way * 150, -100, 2)
+  await stage.hangs(chip)
+  const { x } = await stage.centre(chip)
+  await page.locator('#pause').evaluate((button: HTMLElement) => button.click())
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  const farthest = chip.evaluate(async (element) => {
+    let way = 0
+    const at = () => {
+      const box = element.getBoundingClientRect()
+      return box.x + box.width / 2
+    }
+    const from = at()
+    while (element.parentElement!.dataset.state === 'paused') await window.probe.pass(1)
+    for (let k = 0; k < 12; k++) {
+      await window.probe.pass(1)
+      way = Math.max(way, Math.abs(at() - from))
+    }
+    return way
+  })
+  await page.locator('#resume').evaluate((button: HTMLElement) => button.click())
+  expect(await farthest).toBeLessThan(15)
+  expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(60)
+  await page.mouse.up()
+})
+
+test('a stage eight windows high drops once it fills half of the window', async ({ stage, page }) => {
+  await stage.open('places', { kind: 'tall', above: 600 })
+  await stage.reaches('waiting')
+  await page.evaluate(() => window.scrollTo(0, 300))
+  await stage.reaches('running')
+})
+
+test('focus lets in a chip far back in the row at once, also in a stage that nobody has seen', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 3000, stagger: 60000 })
+  await page.getByText('inner', { exact: true }).focus()
+  const chip = stage.chips.filter({ hasText: 'inner' })
+  await expect(chip).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('inner', { exact: true })).toBeInViewport()
+})
+
+test('actions of a stage that has gone do nothing', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await page.evaluate(() => window.unmount())
+  expect(await page.evaluate(() => window.kept.map((act) => act()))).toEqual(Array(4).fill(undefined))
+  expect(await stage.during('frames')).toBe(0)
+  await expect(page.locator('#settled')).toHaveText('1')
+})
