@@ -33,20 +33,23 @@ test('the drop waits until a quarter of the stage is in view', async ({ stage, p
   await stage.reaches('resting')
 })
 
-test('a chip that waits for its release can’t be seen or pressed', async ({ stage, page }) => {
-  await stage.open('pile', { stagger: 60000, chips: 4 })
-  await stage.reaches('running')
-  const hit = await stage.chips.last().evaluate((chip) => {
-    const box = chip.getBoundingClientRect()
-    const { top } = chip.parentElement!.getBoundingClientRect()
-    return box.bottom > top
-  })
-  expect(hit).toBe(false)
-  expect(
-    await page.evaluate(() =>
-      document.elementsFromPoint(320, 2).some((at) => at.closest('[data-state=waiting]')),
-    ),
-  ).toBe(false)
+test('a chip that waits for its release can’t be seen or pressed', async ({ stage }) => {
+  // With page enough above the stage that the chips wait on the screen, were they not cut off.
+  await stage.open('pile', { above: 300, stagger: 60000, chips: 4 })
+  const waiting = stage.root.locator('[data-state=waiting]')
+  await expect(waiting).toHaveCount(3)
+  const seen = await waiting.evaluateAll((all) =>
+    all.map((chip) => {
+      const { x, y, width, height, bottom } = chip.getBoundingClientRect()
+      const there = document.elementsFromPoint(x + width / 2, y + height / 2)
+      return {
+        onScreen: there.length > 0,
+        hit: there.some((element) => chip.contains(element)),
+        inStage: bottom > chip.parentElement!.getBoundingClientRect().top,
+      }
+    }),
+  )
+  expect(seen).toEqual(Array(3).fill({ onScreen: true, hit: false, inStage: false }))
 })
 
 test('the same chips land in the same places at every visit', async ({ stage }) => {

@@ -1,6 +1,10 @@
-import { expect, test } from './fixtures/stage'
+import { expect, type StagePage, test } from './fixtures/stage'
 
 const values = ['nan', 'infinity', 'minus infinity', 'negative', 'huge', 'null', 'text', 'digits', 'object']
+
+/** Each value has a page of its own, and only the last one is looked at when a test ends. */
+const unharmed = async (stage: StagePage, value: string) =>
+  expect(await stage.probe((probe) => probe.errors), value).toEqual([])
 
 for (const prop of ['gravity', 'bounce', 'stagger', 'friction']) {
   test(`whatever ${prop} is given, the chips fall and rest, and a developer is told why`, async ({
@@ -21,6 +25,7 @@ for (const prop of ['gravity', 'bounce', 'stagger', 'friction']) {
         `GravityStack: ${prop} is .+, so .+ stands in for it\\. Pass .+ or leave ${prop} out\\.`,
       )
       expect(warnings.join(), value).toMatch(told)
+      await unharmed(stage, value)
     }
   })
 }
@@ -38,16 +43,18 @@ test('whatever interactive is given counts as true or false, and a developer is 
     expect(warnings.join(), value).toMatch(
       new RegExp(`GravityStack: interactive is .+, so it counts as ${counted}\\. Pass true or false\\.`),
     )
+    await unharmed(stage, value)
   }
 })
 
 test('an onSettle that can’t be called is not, and a developer is told so', async ({ stage }) => {
-  for (const value of values) {
+  for (const value of [...values, 'false']) {
     await stage.settled('inputs', { prop: 'onSettle', value })
     const warnings = (await stage.probe((probe) => probe.warnings)).join()
-    // null and NaN are common ways to leave it out.
-    if (value === 'null' || value === 'nan') expect(warnings, value).toBe('')
+    // null, NaN and false are common ways to leave it out.
+    if (['null', 'nan', 'false'].includes(value)) expect(warnings, value).toBe('')
     else expect(warnings, value).toMatch(/GravityStack: onSettle is .+, so nothing is\. Pass a function/)
+    await unharmed(stage, value)
   }
 })
 
@@ -56,6 +63,7 @@ test('whatever className is given, the chips fall and rest', async ({ stage }) =
     await stage.settled('inputs', { prop: 'className', value })
     expect(new Set(await stage.states()), value).toEqual(new Set(['resting']))
     expect(await stage.overlap(), value).toBeLessThan(1)
+    await unharmed(stage, value)
   }
 })
 
@@ -64,6 +72,7 @@ const children: Record<string, { chips: number; falling: number; warns?: string 
   null: { chips: 2, falling: 2 },
   false: { chips: 2, falling: 2 },
   number: { chips: 3, falling: 3 },
+  empty: { chips: 3, falling: 2, warns: 'no size' },
   array: { chips: 4, falling: 4 },
   fragment: { chips: 4, falling: 4 },
   deaf: { chips: 3, falling: 3 },

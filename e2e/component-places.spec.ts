@@ -67,20 +67,6 @@ test('when the stage becomes narrower or lower, walls and floor move and the pil
   }
 })
 
-test('a stage resized with every frame ends with its pile at rest inside', async ({ stage, page }) => {
-  await stage.settled('places', { kind: 'nested' })
-  await stage.root.evaluate(async (root) => {
-    for (let i = 0; i < 120; i++) {
-      root.style.width = `${300 + 250 * Math.abs(Math.sin(i / 9))}px`
-      root.style.height = `${180 + 60 * Math.abs(Math.cos(i / 7))}px`
-      await window.probe.pass(1)
-    }
-  })
-  await stage.reaches('resting')
-  expect(await stage.overlap()).toBeLessThan(1)
-  expect(await page.evaluate(() => window.probe.errors)).toEqual([])
-})
-
 for (const kind of ['zero', 'hidden']) {
   test(`a stage that begins ${kind === 'zero' ? 'without size' : 'hidden'} drops its chips once it is shown, and survives vanishing`, async ({
     stage,

@@ -158,13 +158,12 @@ test('five hundred children come and go at random, and those who stay lie still 
   expect(await stage.during('frames')).toBe(0)
 })
 
-test('resized with every frame for ten seconds, collapsed to nothing and back, the pile ends at rest inside', async ({
+test('resized with each of 600 frames, collapsed to nothing and back, the pile ends at rest inside', async ({
   stage,
 }) => {
   await stage.settled('pile', { chips: 14, shape: 'all' })
   await stage.root.evaluate(async (root) => {
-    const until = performance.now() + 10_000
-    for (let i = 0; performance.now() < until; i++) {
+    for (let i = 0; i < 600; i++) {
       root.style.width = `${330 + 300 * Math.sin(i / 9)}px`
       root.style.height = `${200 + 150 * Math.cos(i / 7)}px`
       // Now and then it is not there at all.

@@ -64,8 +64,9 @@ test('a quick swipe up that starts on a chip scrolls the page and leaves the chi
 }) => {
   const finger = await ready(stage, page)
   const { poses } = await stage.pile()
-  await onto(finger, stage, stage.chips.nth(1))
-  await finger.by(0, -150)
+  const { x, y } = await stage.centre(stage.chips.nth(1))
+  // In one go: a finger that rests for a moment holds.
+  await Promise.all([finger.down(x, y), finger.by(0, -150)])
   await finger.up()
   await expect.poll(() => scrolled(page)).toBeGreaterThan(80)
   expect(await stage.states()).not.toContain('held')
@@ -151,8 +152,12 @@ for (const [where, second, rest] of [
         { x: x - 8 - spread, y, id: 0 },
         { x: x + 8 + spread, y: second ?? y, id: 1 },
       ].slice(0, count)
-    for (const count of [1, 2])
-      await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(count) })
+    // In one go: a finger that rests alone for a moment holds.
+    await Promise.all(
+      [1, 2].map((count) =>
+        session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: fingers(count) }),
+      ),
+    )
     // Longer than a finger has to rest on a chip to hold it.
     if (rest) await page.evaluate(() => window.probe.pass(20))
     for (let spread = 6; spread <= 120; spread += 6) {

@@ -59,10 +59,12 @@ async function inFirefox(command: string, folder: string) {
   const url = `http://localhost:${(server.address() as AddressInfo).port}`
   const args = ['--headless', '--no-remote', '--profile', folder, url]
   // It ends before the test gives up, so that none is left behind.
-  const browser = spawn(command, args, { stdio: 'ignore', timeout: 50_000 })
+  const browser = spawn(command, args, { stdio: 'ignore', timeout: 150_000 })
   const exit = once(browser, 'exit')
   try {
-    const ended = exit.then(() => [`${command} ended before it had found anything`])
+    const ended = exit.then(() => {
+      throw new Error(`${command} ended before it had found anything`)
+    })
     return (await Promise.race([once(server, 'found'), ended]))[0] as string
   } finally {
     browser.kill()

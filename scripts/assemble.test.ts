@@ -1,5 +1,3 @@
-import { readFile } from 'node:fs/promises'
-import ts from 'esbuild'
 import { describe, expect, it } from 'vitest'
 import { assemble } from './assemble.mjs'
 
@@ -30,13 +28,5 @@ describe('the one file', () => {
     expect(rooms[0]).toBe('constants')
     expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('world'))
     expect(rooms.slice(-4)).toEqual(['world', 'drop', 'stage', 'component'])
-  })
-
-  it('is what is committed', async () => {
-    expect(await readFile('components/ui/gravity-stack.tsx', 'utf8')).toBe(source)
-  })
-
-  it('is sound TypeScript', async () => {
-    await expect(ts.transform(source, { loader: 'tsx' })).resolves.toBeTruthy()
   })
 })

@@ -54,22 +54,27 @@ test('the MCP server finds the examples by name and hands out their code', async
   const ask = async (id: number, method: string, params: object) => {
     send({ id, method, params })
     for (;;) {
-      const message = JSON.parse((await answers.next()).value ?? '{}')
+      const { value, done } = await answers.next()
+      if (done) throw new Error('the MCP server has gone')
+      const message = JSON.parse(value)
       if (message.id === id) return message.result
     }
   }
-  await ask(1, 'initialize', {
-    protocolVersion: '2025-06-18',
-    capabilities: {},
-    clientInfo: { name: 'test', version: '1' },
-  })
-  send({ method: 'notifications/initialized' })
-  const { content } = await ask(2, 'tools/call', {
-    name: 'get_item_examples_from_registries',
-    arguments: { registries: ['@liten'], query: 'gravity-stack-demo' },
-  })
-  child.kill()
-  expect(content[0].text).toContain('<GravityStack className="h-80">')
+  try {
+    await ask(1, 'initialize', {
+      protocolVersion: '2025-06-18',
+      capabilities: {},
+      clientInfo: { name: 'test', version: '1' },
+    })
+    send({ method: 'notifications/initialized' })
+    const { content } = await ask(2, 'tools/call', {
+      name: 'get_item_examples_from_registries',
+      arguments: { registries: ['@liten'], query: 'gravity-stack-demo' },
+    })
+    expect(content[0].text).toContain('<GravityStack className="h-80">')
+  } finally {
+    child.kill()
+  }
 })
 
 test('pages anywhere may read the registry, for five minutes from their cache', async ({ request }) => {

@@ -30,6 +30,9 @@ export type Outcome = { code: number; output: string }
 
 /** A project of somebody else's, in a folder of its own far from ours, with tools of ours only by name. */
 export class Project {
+  /** Ends a server each that it has started. */
+  readonly stops: (() => Promise<void>)[] = []
+
   constructor(
     readonly folder: string,
     /** What its commands are to find in their environment. */
@@ -99,7 +102,7 @@ export class Project {
   /** The real shadcn CLI, at the version this repository pins. */
   shadcn = (...args: string[]) => this.run(join(root, 'node_modules/.bin/shadcn'), args)
 
-  /** Starts a server of the project's on a free port, and gives its address and a way to end it. */
+  /** Starts a server of the project's on a free port, and gives its address and a way to end it before the test does. */
   async serve(command: string, args: (port: number) => string[]) {
     const port = await freePort()
     const child = spawn(this.path('node_modules/.bin', command), args(port), {
@@ -107,6 +110,12 @@ export class Project {
       stdio: 'ignore',
       env: { ...someonesShell, PWD: this.folder } as Record<string, string> as NodeJS.ProcessEnv,
     })
+    const stop = async () => {
+      if (child.exitCode !== null || child.signalCode !== null) return
+      child.kill()
+      await once(child, 'exit')
+    }
+    this.stops.push(stop)
     const url = `http://localhost:${port}`
     await expect
       .poll(() =>
@@ -116,14 +125,7 @@ export class Project {
         ),
       )
       .toBe(true)
-    return {
-      url,
-      stop: async () => {
-        if (child.exitCode !== null) return
-        child.kill()
-        await once(child, 'exit')
-      },
-    }
+    return { url, stop }
   }
 }
 
@@ -136,16 +138,19 @@ async function freePort() {
   return address.port
 }
 
-/** `make(name)` gives an empty folder to start a project in; it goes when the test has passed. */
+/** `make(name)` gives an empty folder to start a project in; it goes when the test has passed, its servers in any case. */
 export const test = base.extend<{ make: (name: string) => Promise<Project> }>({
   // biome-ignore lint/correctness/noEmptyPattern: Playwright reads a fixture's needs from this pattern
   make: async ({}, use, info) => {
     const folder = await mkdtemp(join(tmpdir(), 'gravity-stack-'))
+    const projects: Project[] = []
     await use(async (name) => {
       const project = new Project(join(folder, name))
+      projects.push(project)
       await mkdir(project.folder)
       return project
     })
+    await Promise.all(projects.flatMap(({ stops }) => stops).map((stop) => stop()))
     if (info.status === info.expectedStatus) await rm(folder, { recursive: true, force: true })
     else console.log(`Left as it was: ${folder}`)
   },
