@@ -12,7 +12,7 @@ export default defineConfig({
   // On two cores: half the time a pile only takes its time.
   workers: 3,
   forbidOnly: true,
-  // Four times what the longest takes here: limits are for what hangs, not for a busy machine.
+  // More than twice what the longest takes here: limits are for what hangs, not for a busy machine.
   timeout: 180_000,
   // A pile takes seconds to lie still, and a busy machine several times as many.
   expect: { timeout: 60_000 },

@@ -199,7 +199,10 @@ export function Playground() {
     kick.current()
   }
   function letGo(event: PointerEvent) {
-    holds.current.get(event.pointerId)?.release()
+    const hold = holds.current.get(event.pointerId)
+    // Where the hand stands now: one that has stood still throws nothing.
+    hold?.moveTo(...point(event))
+    hold?.release()
     holds.current.delete(event.pointerId)
   }
 

@@ -1,7 +1,7 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { figure, looks } from '@/app/benchmarks/engines'
-import { type Results, verdicts } from '@/bench/report'
+import { isTie, type Results, verdicts } from '@/bench/report'
 import results from '@/bench/results/results.json'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
@@ -141,8 +141,10 @@ const benchmarks = () =>
     `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
     table(
       ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact', 'Frontier'],
-      verdicts(results as unknown as Results).map(
-        ({ scene, measure, error, cost, asCheap, asExact, beaten }) => [
+      verdicts(results as unknown as Results).map((verdict) => {
+        const { scene, measure, error, cost, asCheap, asExact, beaten } = verdict
+        const losers = [...new Set(beaten.map((point) => looks[point.engine].title))]
+        return [
           `${scene.title}: ${scene.measures[measure].name}`,
           `${figure(error)} ${scene.measures[measure].unit}`,
           figure(cost),
@@ -150,11 +152,13 @@ const benchmarks = () =>
             ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error`
             : 'nobody is as cheap',
           asExact ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost` : 'nobody',
-          beaten.length === 0
-            ? 'ours'
-            : `not ours: ${[...new Set(beaten.map((point) => looks[point.engine].title))].join(', ')}`,
-        ],
-      ),
+          isTie(verdict)
+            ? `tie: ${looks[asExact!.engine].title}`
+            : losers.length === 0
+              ? 'ours'
+              : `not ours: ${losers.join(', ')}`,
+        ]
+      }),
     ),
   )
 

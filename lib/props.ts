@@ -17,7 +17,8 @@ export function readProps(): Prop[] {
 
   return Object.entries(component.props).map(([name, prop]) => {
     const [description, written] = (prop.description ?? '').split(/^@default\s+/m).map((part) => part.trim())
-    const inCode = prop.defaultValue?.value
+    // Defaults of numbers stand in the table of limits, most of them by name.
+    const inCode = prop.defaultValue?.value ?? source.match(new RegExp(`^  ${name}: \\[(\\w+), `, 'm'))?.[1]
     const used = source.match(new RegExp(`^const ${inCode} = (.+)$`, 'm'))?.[1] ?? inCode
     if (!description) throw new Error(`GravityStackProps.${name} has no description`)
     if (used !== undefined && written !== used) {

@@ -1,7 +1,7 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import { noise, ours, type Results, type Verdict, verdicts } from '@/bench/report'
+import { isTie, ours, type Results, type Verdict, verdicts } from '@/bench/report'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { InBrowser } from './browser'
@@ -49,7 +49,6 @@ const groups: { title: string; text: string; scenes: RegExp }[] = [
 ]
 
 export default function Benchmarks() {
-  const all = verdicts(results)
   const lost = all.filter((verdict) => verdict.beaten.length > 0)
   const ties = all.filter(isTie)
   return (
@@ -87,7 +86,7 @@ export default function Benchmarks() {
           {ties.length > 0 &&
             `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper peer is as exact as counts, both errors being rounding, or less than 10⁻⁴ of a pile’s weight. `}
           {dearer.length > 0 &&
-            `${dearer.length} settings have no mark in a plot, yet are no exception: they were not played to the end because they take longer than ours already, most of them with fewer chips. `}
+            `${dearer.length} settings have no mark in a plot, yet are no exception: they cost more than ours does, which showed before they were played to their end. `}
           {open.length > 0 && `Open, as they could not be played: ${settingsByEngine(open)}. `}
           The two columns on the right ask from both sides: the most exact engine that costs no more, and the
           cheapest that errs no more.
@@ -306,9 +305,6 @@ const circumstances = [
 const named = ({ engine, setting }: { engine: string; setting: Record<string, number> }) =>
   `${looks[engine].title} at ${settingTitle(setting)}`
 
-/** Whether a cheaper peer errs no more as errors count: neither lies below and to the left of the other. */
-const isTie = ({ beaten, asExact }: Verdict) => beaten.length === 0 && (asExact?.factor ?? 1) < 1 / noise
-
 /** Who lies below and to the left of us, and how far: each engine with the cheapest setting that does. */
 function exception({ scene, measure, cost, error, beaten }: Verdict) {
   const title = scene.measures.length > 1 ? `${scene.title}, ${scene.measures[measure].name}` : scene.title
@@ -379,8 +375,9 @@ const few = (engines: string[], at: 'first' | 'others') =>
 const listed = (engines: string[]) =>
   new Intl.ListFormat('en').format(engines.map((engine) => looks[engine].title))
 
+const all = verdicts(results)
 /** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
-const open = [...new Set(verdicts(results).flatMap((verdict) => verdict.open))]
+const open = [...new Set(all.flatMap((verdict) => verdict.open))]
 const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
 
 /** How many settings of whom, scene by scene. */
