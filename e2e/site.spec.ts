@@ -534,12 +534,35 @@ test.describe('playground', () => {
     await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
     const room = (await page.locator(stage).boundingBox())!
     const way = from.x < room.x + room.width / 2 ? 1 : -1
-    const hand = from.x + 40 + way * 160
-    // Let go in mid-swing: a hand that stops first throws nothing.
-    await page.mouse.move(hand, from.y - 120, { steps: 6 })
-    await page.mouse.up()
+    // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing, and a busy
+    // machine's is.
+    const hand = await chip.evaluate(
+      async (element, { x, y, way }) => {
+        const start = performance.now()
+        const send = (type: string, ms: number) => {
+          const event = new PointerEvent(type, {
+            bubbles: true,
+            pointerId: 1,
+            pointerType: 'mouse',
+            buttons: type === 'pointermove' ? 1 : 0,
+            clientX: x + way * 0.5 * ms,
+            clientY: y,
+          })
+          Object.defineProperty(event, 'timeStamp', { value: start + ms })
+          element.dispatchEvent(event)
+        }
+        for (let ms = 0; ms < 300; ms += 1000 / 60) {
+          send('pointermove', ms)
+          await new Promise(requestAnimationFrame)
+        }
+        send('pointerup', 300)
+        return x + way * 150
+      },
+      { x: from.x + 40, y: from.y - 120, way },
+    )
     const beyond = async () => way * ((await chip.boundingBox())!.x + 20 - hand)
     await expect.poll(beyond).toBeGreaterThan(40)
+    await page.mouse.up()
     await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   })
 })
