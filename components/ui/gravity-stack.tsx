@@ -227,6 +227,8 @@ const SHAPE = 6
 class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
   count = 1
+  /** Bodies that are there. */
+  population = 0
   state: Float64Array = new Float64Array(STATE)
   motion: Float64Array = new Float64Array(MOTION)
   shape: Float64Array = new Float64Array(SHAPE)
@@ -241,6 +243,15 @@ class Bodies {
   stirred: Int32Array = new Int32Array(1)
   /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array = new Uint8Array(1)
+  /** Who is awake. */
+  awake: Int32Array = new Int32Array(1)
+  awakeCount = 0
+  /** Hands that hold the body. */
+  held: Uint8Array = new Uint8Array(1)
+  /** 1 if the body has moved since it was last drawn. */
+  undrawn: Uint8Array = new Uint8Array(1)
+  /** Steps in which partings have left the island of the body in a jam, since it last woke. */
+  jams: Int32Array = new Int32Array(1)
 
   constructor() {
     this.motion[COS] = 1
@@ -266,6 +277,10 @@ function reserveBodies(bodies: Bodies, slots: number): void {
   bodies.asleep = grown(bodies.asleep, capacity)
   bodies.stirred = grown(bodies.stirred, capacity)
   bodies.moved = grown(bodies.moved, capacity)
+  bodies.awake = grown(bodies.awake, capacity)
+  bodies.held = grown(bodies.held, capacity)
+  bodies.undrawn = grown(bodies.undrawn, capacity)
+  bodies.jams = grown(bodies.jams, capacity)
 }
 
 /**
@@ -988,6 +1003,211 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
   finish(shape, 0, b)
 }
 
+// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
+
+/**
+ * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
+ * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
+ */
+interface Hold {
+  body: number
+  /** Grabbed point in the body's own axes, px from its centre. */
+  localX: number
+  localY: number
+  /** Where the pointer is, and where it was lately. */
+  x: number
+  y: number
+  samples: { x: number; y: number; seconds: number }[]
+  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  impulseX: number
+  impulseY: number
+  rate: number
+  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
+  rx: number
+  ry: number
+  k11: number
+  k12: number
+  k22: number
+  biasX: number
+  biasY: number
+  massScale: number
+  impulseScale: number
+  limit: number
+}
+
+function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
+  turn(bodies.state, bodies.motion, body)
+  const c = bodies.motion[body * MOTION + COS]
+  const s = bodies.motion[body * MOTION + SIN]
+  const dx = x - bodies.state[body * STATE + X]
+  const dy = y - bodies.state[body * STATE + Y]
+  return {
+    body,
+    localX: c * dx + s * dy,
+    localY: c * dy - s * dx,
+    x,
+    y,
+    samples: [],
+    impulseX: 0,
+    impulseY: 0,
+    rate: 0,
+    rx: 0,
+    ry: 0,
+    k11: 0,
+    k12: 0,
+    k22: 0,
+    biasX: 0,
+    biasY: 0,
+    massScale: 0,
+    impulseScale: 0,
+    limit: 0,
+  }
+}
+
+/** px, from the centre of the held body to the grabbed point, as `findArm` left it. */
+const arm: Float64Array = new Float64Array(2)
+
+function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): void {
+  turn(state, motion, body)
+  const cos = motion[body * MOTION + COS]
+  const sin = motion[body * MOTION + SIN]
+  arm[0] = cos * localX - sin * localY
+  arm[1] = sin * localX + cos * localY
+}
+
+/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
+function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
+  const i = hold.body * STATE
+  const s = bodies.state
+  findArm(bodies, hold)
+  const rx = arm[0]
+  const ry = arm[1]
+  const m = s[i + INV_MASS]
+  const n = s[i + INV_INERTIA]
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  bodies.motion[hold.body * MOTION + BRAKE] = 0
+  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
+    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
+  const omega = 2 * Math.PI * GRAB_HERTZ
+  const a1 = 2 * GRAB_DAMPING + h * omega
+  const a2 = h * omega * a1
+  const a3 = 1 / (1 + a2)
+  hold.massScale = a2 * a3
+  hold.impulseScale = a3
+  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
+  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
+  const k11 = m + n * ry * ry
+  const k12 = -n * rx * ry
+  const k22 = m + n * rx * rx
+  const det = 1 / (k11 * k22 - k12 * k12)
+  hold.k11 = k22 * det
+  hold.k12 = -k12 * det
+  hold.k22 = k11 * det
+  hold.rx = rx
+  hold.ry = ry
+  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+}
+
+/** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
+function pull(bodies: Bodies, hold: Hold, gravity: number): number {
+  const i = hold.body * STATE
+  const s = bodies.state
+  findArm(bodies, hold)
+  const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
+  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
+}
+
+/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
+function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+  const m = hold.body * MOTION
+  const i = hold.body * STATE
+  if (hold.rate !== substeps) {
+    hold.impulseX *= hold.rate / substeps
+    hold.impulseY *= hold.rate / substeps
+    hold.rate = substeps
+  }
+  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
+  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
+  bodies.motion[m + PUSH_SPIN] +=
+    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
+}
+
+function solveHold(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const { rx, ry } = hold
+  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
+  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
+  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
+  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
+  const size = Math.sqrt(x * x + y * y)
+  if (size > hold.limit) {
+    x *= hold.limit / size
+    y *= hold.limit / size
+  }
+  const dx = x - hold.impulseX
+  const dy = y - hold.impulseY
+  hold.impulseX = x
+  hold.impulseY = y
+  s[i + VX] += s[i + INV_MASS] * dx
+  s[i + VY] += s[i + INV_MASS] * dy
+  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
+}
+
+/** s of the pointer's way that a throw is fitted to. */
+const THROW_WINDOW = 0.08
+
+/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
+function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  hold.x = x
+  hold.y = y
+  const samples = hold.samples
+  samples.push({ x, y, seconds })
+  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
+}
+
+/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+function throwVelocity(bodies: Bodies, hold: Hold): void {
+  const s = bodies.state
+  const i = hold.body * STATE
+  const samples = hold.samples
+  if (samples.length > 1) {
+    let t = 0
+    let x = 0
+    let y = 0
+    for (const sample of samples) {
+      t += sample.seconds / samples.length
+      x += sample.x / samples.length
+      y += sample.y / samples.length
+    }
+    let tt = 0
+    let tx = 0
+    let ty = 0
+    for (const sample of samples) {
+      tt += (sample.seconds - t) * (sample.seconds - t)
+      tx += (sample.seconds - t) * (sample.x - x)
+      ty += (sample.seconds - t) * (sample.y - y)
+    }
+    if (tt > 0) {
+      const vx = tx / tt
+      const vy = ty / tt
+      const offX = s[i + X] + hold.rx - hold.x
+      const offY = s[i + Y] + hold.ry - hold.y
+      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
+      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx
+        s[i + VY] = vy
+      }
+    }
+  }
+  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
+  if (speed > MAX_TOSS) {
+    s[i + VX] *= MAX_TOSS / speed
+    s[i + VY] *= MAX_TOSS / speed
+  }
+}
+
 // contacts: contacts kept from step to step ─────────────────────────────────────────────────────────────────
 
 /**
@@ -1087,6 +1307,7 @@ class Scene {
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  holds: Hold[] = []
 }
 
 function reserveHeads(contacts: Contacts, bodies: number): void {
@@ -1414,16 +1635,9 @@ function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boo
   return true
 }
 
-/** Brings the pair list up to date with the boxes of the `count` bodies listed in `awake`. */
-function updatePairs(
-  bodies: Bodies,
-  pairs: Pairs,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-): void {
+/** Brings the pair list up to date with the boxes of the bodies that are awake. */
+function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs): void {
+  const { awake, awakeCount: count } = bodies
   const { box, order, moved, partner, wallContact } = pairs
   let any = false
   for (let a = 0; a < count; a++) {
@@ -1498,7 +1712,7 @@ function updatePairs(
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
  * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
  */
-function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
+function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): void {
   const { box, order, partner } = pairs
   const { state } = bodies
   const k = i * 4
@@ -1570,8 +1784,8 @@ class Impacts {
   phase = 0
   sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
-  fastest = 0
-  passOn = 0
+  fastest = 0.5
+  passOn = 0.5
 }
 
 function reserveImpacts(impacts: Impacts, bodies: number): void {
@@ -1584,7 +1798,7 @@ function reserveImpacts(impacts: Impacts, bodies: number): void {
 }
 
 /** What `foresee` found: when contact `c` will hit (s from the start of the sub-step, its end if not), and how hard (px/s). */
-const ahead = { time: 0, speed: 0 }
+const ahead = { time: 0.5, speed: 0.5 }
 
 /**
  * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. The goals are the velocities at the
@@ -2403,211 +2617,6 @@ function straighten(
   return rounds > 0
 }
 
-// grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
-
-/**
- * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
- * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
- */
-interface Hold {
-  body: number
-  /** Grabbed point in the body's own axes, px from its centre. */
-  localX: number
-  localY: number
-  /** Where the pointer is, and where it was lately. */
-  x: number
-  y: number
-  samples: { x: number; y: number; seconds: number }[]
-  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
-  impulseX: number
-  impulseY: number
-  rate: number
-  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
-  rx: number
-  ry: number
-  k11: number
-  k12: number
-  k22: number
-  biasX: number
-  biasY: number
-  massScale: number
-  impulseScale: number
-  limit: number
-}
-
-function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
-  turn(bodies.state, bodies.motion, body)
-  const c = bodies.motion[body * MOTION + COS]
-  const s = bodies.motion[body * MOTION + SIN]
-  const dx = x - bodies.state[body * STATE + X]
-  const dy = y - bodies.state[body * STATE + Y]
-  return {
-    body,
-    localX: c * dx + s * dy,
-    localY: c * dy - s * dx,
-    x,
-    y,
-    samples: [],
-    impulseX: 0,
-    impulseY: 0,
-    rate: 0,
-    rx: 0,
-    ry: 0,
-    k11: 0,
-    k12: 0,
-    k22: 0,
-    biasX: 0,
-    biasY: 0,
-    massScale: 0,
-    impulseScale: 0,
-    limit: 0,
-  }
-}
-
-/** px, from the centre of the held body to the grabbed point, as `findArm` left it. */
-const arm: Float64Array = new Float64Array(2)
-
-function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): void {
-  turn(state, motion, body)
-  const cos = motion[body * MOTION + COS]
-  const sin = motion[body * MOTION + SIN]
-  arm[0] = cos * localX - sin * localY
-  arm[1] = sin * localX + cos * localY
-}
-
-/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
-function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
-  const i = hold.body * STATE
-  const s = bodies.state
-  findArm(bodies, hold)
-  const rx = arm[0]
-  const ry = arm[1]
-  const m = s[i + INV_MASS]
-  const n = s[i + INV_INERTIA]
-  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
-  bodies.motion[hold.body * MOTION + BRAKE] = 0
-  bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
-    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
-  const omega = 2 * Math.PI * GRAB_HERTZ
-  const a1 = 2 * GRAB_DAMPING + h * omega
-  const a2 = h * omega * a1
-  const a3 = 1 / (1 + a2)
-  hold.massScale = a2 * a3
-  hold.impulseScale = a3
-  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
-  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
-  const k11 = m + n * ry * ry
-  const k12 = -n * rx * ry
-  const k22 = m + n * rx * rx
-  const det = 1 / (k11 * k22 - k12 * k12)
-  hold.k11 = k22 * det
-  hold.k12 = -k12 * det
-  hold.k22 = k11 * det
-  hold.rx = rx
-  hold.ry = ry
-  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
-}
-
-/** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
-function pull(bodies: Bodies, hold: Hold, gravity: number): number {
-  const i = hold.body * STATE
-  const s = bodies.state
-  findArm(bodies, hold)
-  const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
-  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
-}
-
-/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
-function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
-  const m = hold.body * MOTION
-  const i = hold.body * STATE
-  if (hold.rate !== substeps) {
-    hold.impulseX *= hold.rate / substeps
-    hold.impulseY *= hold.rate / substeps
-    hold.rate = substeps
-  }
-  bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
-  bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
-  bodies.motion[m + PUSH_SPIN] +=
-    bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
-}
-
-function solveHold(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const { rx, ry } = hold
-  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
-  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
-  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
-  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
-  const size = Math.sqrt(x * x + y * y)
-  if (size > hold.limit) {
-    x *= hold.limit / size
-    y *= hold.limit / size
-  }
-  const dx = x - hold.impulseX
-  const dy = y - hold.impulseY
-  hold.impulseX = x
-  hold.impulseY = y
-  s[i + VX] += s[i + INV_MASS] * dx
-  s[i + VY] += s[i + INV_MASS] * dy
-  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
-}
-
-/** s of the pointer's way that a throw is fitted to. */
-const THROW_WINDOW = 0.08
-
-/** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
-function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
-  hold.x = x
-  hold.y = y
-  const samples = hold.samples
-  samples.push({ x, y, seconds })
-  while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
-}
-
-/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
-function throwVelocity(bodies: Bodies, hold: Hold): void {
-  const s = bodies.state
-  const i = hold.body * STATE
-  const samples = hold.samples
-  if (samples.length > 1) {
-    let t = 0
-    let x = 0
-    let y = 0
-    for (const sample of samples) {
-      t += sample.seconds / samples.length
-      x += sample.x / samples.length
-      y += sample.y / samples.length
-    }
-    let tt = 0
-    let tx = 0
-    let ty = 0
-    for (const sample of samples) {
-      tt += (sample.seconds - t) * (sample.seconds - t)
-      tx += (sample.seconds - t) * (sample.x - x)
-      ty += (sample.seconds - t) * (sample.y - y)
-    }
-    if (tt > 0) {
-      const vx = tx / tt
-      const vy = ty / tt
-      const offX = s[i + X] + hold.rx - hold.x
-      const offY = s[i + Y] + hold.ry - hold.y
-      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
-      const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx
-        s[i + VY] = vy
-      }
-    }
-  }
-  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
-  if (speed > MAX_TOSS) {
-    s[i + VX] *= MAX_TOSS / speed
-    s[i + VY] *= MAX_TOSS / speed
-  }
-}
-
 // islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
 
 /**
@@ -2672,20 +2681,21 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/** Islands of the `count` bodies listed in `awake`. Where `struck` lists any, they are to be woken, and the islands found again. */
-function findIslands(islands: Islands, scene: Scene, holds: Hold[], awake: Int32Array, count: number): void {
+/** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
+function findIslands(islands: Islands, scene: Scene): void {
   const { parent, reach } = islands
+  const { awake, awakeCount: count } = scene.bodies
   const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
-  for (const hold of holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
+  for (const hold of scene.holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
   islands.nearCount = 0
   islands.struckCount = 0
-  gather(islands, scene, awake, count, false)
+  gather(islands, scene, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, scene, awake, count, true)
+  gather(islands, scene, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -2733,11 +2743,11 @@ function findIslands(islands: Islands, scene: Scene, holds: Hold[], awake: Int32
  * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
  * may go as far as the fastest approach in its island.
  */
-function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number, again: boolean): void {
+function gather(islands: Islands, scene: Scene, again: boolean): void {
   const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, next, pair } = contacts
-  const { state: s, motion, shape, asleep } = bodies
+  const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
@@ -2804,11 +2814,11 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
 
 /**
  * Counts how long each awake body has kept its place, then puts to sleep every group that carries each other and of
- * which all have done so for `REST_TIME`. Returns the bodies that stay awake, at the front of `awake`.
+ * which all have done so for `REST_TIME`.
  */
-function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Array, count: number): number {
+function rest(islands: Islands, scene: Scene): void {
   const { bodies, contacts, gravity } = scene
-  const { state, shape } = bodies
+  const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
   let ready = false
@@ -2839,7 +2849,7 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
       }
     }
   }
-  if (!ready) return count
+  if (!ready) return
 
   // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least. Nothing
   // rests on nothing, unless it floats.
@@ -2885,16 +2895,15 @@ function rest(islands: Islands, scene: Scene, held: Uint8Array, awake: Int32Arra
     const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
     if (parted || lifted) for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
   }
-  let left = 0
+  bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
-    if (-least[find(parent, i)] < REST_TIME) awake[left++] = i
+    if (-least[find(parent, i)] < REST_TIME) awake[bodies.awakeCount++] = i
     else {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
     }
   }
-  return left
 }
 
 /** Whether the group of body `i` could sleep, and could not for long. */
@@ -2903,7 +2912,349 @@ function drowsy({ parent, reach }: Islands, i: number): boolean {
   return rested >= REST_TIME && rested < REST_TIME + SORTING
 }
 
-// world: the step ───────────────────────────────────────────────────────────────────────────────────────────
+// step: one step of all that is awake ───────────────────────────────────────────────────────────────────────
+
+/** What the last call of `step` did, for tests and tools. */
+class Stats {
+  /** Steps in which something was awake; others are not taken. */
+  steps = 0
+  awake = 0
+  pairs = 0
+  narrow = 0
+  contacts = 0
+  points = 0
+  islands = 0
+  substeps = 0
+  sweeps = 0
+  /** Contacts visited by the sweeps over impacts. */
+  hits = 0
+  rows = 0
+}
+
+/**
+ * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
+ * compiled anew as well, and all of them whenever one of the worlds has gone.
+ */
+class Simulation {
+  /** Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays. */
+  static kept: Simulation = new Simulation(2, 0.5, 0.5)
+  scene = new Scene()
+  pairs = new Pairs()
+  islands = new Islands()
+  impacts = new Impacts()
+  stats = new Stats()
+  sleeps = true
+  /** Of a step of 1/60 s. */
+  substeps = 1
+  /** What the air does to velocity and to spin in a sub-step, and in a step without any. */
+  air: Air
+  spinAir: Air
+  flightAir: Air
+  flightSpinAir: Air
+  /** Of the present island, before and after its step. */
+  energies: Float64Array = new Float64Array(4)
+  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
+  uneven = 0
+  /** Number of the present sweep. */
+  round = 0
+
+  constructor(substeps: number, damping: number, spinDamping: number) {
+    const h = STEP / substeps
+    this.substeps = substeps
+    this.scene.h = h
+    this.air = air(damping, h)
+    this.spinAir = air(spinDamping, h)
+    this.flightAir = air(damping, STEP)
+    this.flightSpinAir = air(spinDamping, STEP)
+  }
+}
+
+/** One step of all that is awake. */
+function stepOnce(simulation: Simulation): void {
+  const { scene, pairs, islands, stats } = simulation
+  const { bodies } = scene
+  const { state, before, awake, undrawn } = bodies
+  for (let n = 0; n < bodies.awakeCount; n++) {
+    const i = awake[n]
+    undrawn[i] = 1
+    before[i * 3] = state[i * STATE + X]
+    before[i * 3 + 1] = state[i * STATE + Y]
+    before[i * 3 + 2] = state[i * STATE + ANGLE]
+  }
+  tally(bodies, awake, 0, bodies.awakeCount, AHEAD * scene.h)
+  updatePairs(scene, pairs)
+  if (bodies.awakeCount < bodies.population) wakeStruck(scene)
+  findIslands(islands, scene)
+  while (islands.struckCount > 0) {
+    for (let n = 0; n < islands.struckCount; n++) wake(scene, islands.struck[n])
+    findIslands(islands, scene)
+  }
+  for (let n = 0; n < islands.count; n++) {
+    const b0 = islands.bodyStart[n]
+    const b1 = islands.bodyStart[n + 1]
+    const c0 = islands.contactStart[n]
+    const c1 = islands.contactStart[n + 1]
+    if (c0 === c1 && bodies.held[islands.bodies[b0]] === 0) fly(simulation, islands.bodies[b0])
+    else solve(simulation, b0, b1, c0, c1)
+  }
+  stats.steps++
+  stats.islands = islands.count
+  stats.awake = bodies.awakeCount
+  if (simulation.sleeps) rest(islands, scene)
+}
+
+/** A body alone in the air: the whole step in closed form. */
+function fly({ scene, flightAir: linear, flightSpinAir: spin }: Simulation, i: number): void {
+  const { state } = scene.bodies
+  const s = i * STATE
+  const dx = linear.reach * state[s + VX]
+  const dy = linear.reach * state[s + VY] + scene.gravity * linear.fall
+  const by = spin.reach * state[s + SPIN]
+  state[s + X] += dx
+  state[s + Y] += dy
+  state[s + ANGLE] += by
+  state[s + VX] *= linear.fade
+  state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
+  state[s + SPIN] *= spin.fade
+  capSpeed(state, s)
+  keepInside(scene, i)
+}
+
+/** One island through the step. */
+function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
+  const { scene, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
+  const { bodies, h, holds } = scene
+  const { live } = islands
+  let end = c0
+  const speed = fastest(simulation, b0, b1)
+  const { uneven } = simulation
+  const still = speed <= BALANCE
+  scene.slow = still ? TOLERANCE_STILL : BALANCE
+  scene.tolerance = still
+    ? TOLERANCE_STILL
+    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+  const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
+  const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
+  // A hand can press harder than any chip: what it does is solved to the end.
+  let sweeps =
+    grabbed.length > 0
+      ? SWEEPS
+      : speed > LIVELY
+        ? SWEEPS_LIVELY
+        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
+  if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
+  // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
+  const dull = scene.bounce < LIVELY_BOUNCE
+  const free = grabbed.length > 0 || (dull && speed < LIVELY)
+  if (!free) weigh(simulation, b0, b1, 0)
+  warmStart(simulation, b0, b1, c0, c1, grabbed)
+  for (let n = 0; n < substeps; n++) {
+    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
+    const { round } = simulation
+    clearImpacts(impacts)
+    scene.relaxation = relaxation
+    if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+    end = prepare(scene, impacts, islands.contacts, live, c0, c1)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
+    kick(scene, islands.bodies, b0, b1, air, spinAir, round)
+    let stirs = 1
+    for (let k = 0; k < sweeps && stirs > 0; k++) {
+      for (let g = 0; g < grabbed.length; g++) {
+        solveHold(bodies, grabbed[g]!)
+        bodies.stirred[grabbed[g]!.body] = round + k - 1
+      }
+      stirs = sweep(scene, live, c0, end, round + k)
+      stats.sweeps++
+    }
+    const active = move(scene, islands.bodies, b0, b1)
+    stats.substeps++
+    if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
+  }
+  let deep = separate(scene, live, c0, end)
+  if (deep > 0 && speed <= JAMMED) {
+    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
+    if (deep > 0) relieve(simulation, b0, b1, c0, end)
+  }
+  for (let n = b0; n < b1; n++) {
+    keepInBox(scene, pairs, islands.bodies[n])
+    keepInside(scene, islands.bodies[n])
+  }
+  if (free) return
+  weigh(simulation, b0, b1, 2)
+  const { energies } = simulation
+  const moving = energies[2]
+  const gain = Math.min(energies[3] - energies[1], dull ? moving - energies[0] : Infinity)
+  if (!(gain > 0)) return
+  const share = Math.sqrt(Math.max(0, 1 - gain / moving))
+  for (let n = b0; n < b1; n++) {
+    const s = islands.bodies[n] * STATE
+    for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
+  }
+}
+
+/** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
+function relieve({ scene, islands }: Simulation, b0: number, b1: number, c0: number, end: number): void {
+  const { jams } = scene.bodies
+  const worst = deepest(scene, islands.live, c0, end)
+  let often = 0
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    jams[i] = worst < 0 ? 0 : jams[i] + 1
+    often = Math.max(often, jams[i])
+  }
+  if (often >= PATIENCE) lift(scene, worst)
+}
+
+/** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
+function weigh({ scene, islands, energies }: Simulation, b0: number, b1: number, at: number): void {
+  const { state } = scene.bodies
+  let moving = 0
+  let height = 0
+  for (let n = b0; n < b1; n++) {
+    const s = islands.bodies[n] * STATE
+    const vx = state[s + VX]
+    const vy = state[s + VY]
+    const spin = state[s + SPIN]
+    const mass = 1 / state[s + INV_MASS]
+    moving += mass * (vx * vx + vy * vy) + (spin * spin) / state[s + INV_INERTIA]
+    height -= mass * state[s + Y]
+  }
+  energies[at] = 0.5 * moving
+  energies[at + 1] = 0.5 * moving + scene.gravity * height
+}
+
+/** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
+function fastest(simulation: Simulation, b0: number, b1: number): number {
+  const { scene, islands } = simulation
+  const { state, shape } = scene.bodies
+  let most = 0
+  let lightest = 0
+  let heaviest = Infinity
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    const s = i * STATE
+    const inverse = state[s + INV_MASS]
+    if (inverse > lightest) lightest = inverse
+    if (inverse < heaviest) heaviest = inverse
+    const speed =
+      Math.abs(state[s + VX]) +
+      Math.abs(state[s + VY]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+    if (speed > most) most = speed
+  }
+  simulation.uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
+  return most
+}
+
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
+function warmStart(
+  { scene, islands, substeps }: Simulation,
+  b0: number,
+  b1: number,
+  c0: number,
+  c1: number,
+  grabbed: Hold[],
+): void {
+  const { bodies, contacts } = scene
+  const { motion } = bodies
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    const m = i * MOTION
+    motion[m + PUSH_X] = 0
+    motion[m + PUSH_Y] = 0
+    motion[m + PUSH_SPIN] = 0
+  }
+  const d = contacts.data
+  for (let n = c0; n < c1; n++) {
+    const c = islands.contacts[n]
+    const k = c * CONTACT
+    d[k + LAG] = 0
+    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
+      if (d[k + RATE] !== substeps) {
+        const scale = d[k + RATE] / substeps
+        d[k + LOAD] *= scale
+        d[k + SECOND + LOAD] *= scale
+        d[k + DRAG] *= scale
+      }
+      carry(bodies, contacts, c, 1)
+    }
+    d[k + RATE] = substeps
+  }
+  for (const hold of grabbed) carryHold(bodies, hold, substeps)
+}
+
+/** Whether the body that `hold` holds is in the island that starts at `b0`. */
+function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
+  return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
+}
+
+// Waking -----------------------------------------------------------------------------------------------------------------
+
+/** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
+function wake(scene: Scene, i: number): void {
+  const { bodies, contacts } = scene
+  if (bodies.asleep[i] === 0) return
+  rouse(bodies, i)
+  for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
+    for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      const k = (edge >> 1) * CONTACT
+      if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
+        rouse(bodies, j)
+    }
+  }
+}
+
+function rouse(bodies: Bodies, i: number): void {
+  bodies.asleep[i] = 0
+  bodies.rest[i * 4 + 3] = 0
+  bodies.jams[i] = 0
+  bodies.undrawn[i] = 1
+  bodies.awake[bodies.awakeCount++] = i
+  bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
+}
+
+/** Wakes body `i` and all that touch it, whether they carry anything or not. */
+function disturb(scene: Scene, i: number): void {
+  const { bodies, contacts } = scene
+  wake(scene, i)
+  bodies.rest[i * 4 + 3] = 0
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const j = contacts.pair[edge ^ 1]
+    if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, j)
+  }
+}
+
+/** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
+function wakeStruck(scene: Scene): void {
+  const { bodies, contacts, walls, gravity } = scene
+  const { state, shape } = bodies
+  for (let n = 0; n < bodies.awakeCount; n++) {
+    const i = bodies.awake[n]
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      if (j === 0 || bodies.asleep[j] === 0) continue
+      const c = edge >> 1
+      const s = i * STATE
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      const go = speed * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
+      if (gapBound(bodies, contacts, c) > go + MARGIN) continue
+      touch[WIDEST] = go + MARGIN
+      measure(bodies, contacts, walls, c)
+      contacts.measured++
+      for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
+        probe(bodies, contacts, c, p)
+        if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)
+      }
+    }
+  }
+}
+
+// world: what the stage and the tests call ──────────────────────────────────────────────────────────────────
 
 interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -2962,23 +3313,6 @@ interface Grab {
   release(): void
 }
 
-/** What the last call of `step` did, for tests and tools. */
-interface Stats {
-  /** Steps in which something was awake; others are not taken. */
-  steps: number
-  awake: number
-  pairs: number
-  narrow: number
-  contacts: number
-  points: number
-  islands: number
-  substeps: number
-  sweeps: number
-  /** Contacts visited by the sweeps over impacts. */
-  hits: number
-  rows: number
-}
-
 type World = ReturnType<typeof createWorld>
 
 /**
@@ -2986,355 +3320,36 @@ type World = ReturnType<typeof createWorld>
  * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
  */
 function createWorld(options: WorldOptions) {
-  const scene = new Scene()
-  const { bodies, contacts, walls } = scene
-  const pairs = new Pairs()
-  const islands = new Islands()
-  const impacts = new Impacts()
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-  const h = STEP / substeps
-  const ahead = AHEAD * h
+  const simulation = new Simulation(
+    substeps,
+    within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
+    within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
+  )
+  const { scene, pairs, islands, impacts, stats } = simulation
+  const { bodies, contacts, walls, holds } = scene
   walls.width = size(options.width)
   walls.height = size(options.height)
   scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
-  scene.h = h
-  const sleeps = options.sleep !== false
-  const damping = within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING)
-  const spinDamping = within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING)
-  const airs = new Map<number, { linear: Air; spin: Air }>()
-  const holds: Hold[] = []
+  simulation.sleeps = options.sleep !== false
   const freeSlots: number[] = []
-  const stats: Stats = {
-    steps: 0,
-    awake: 0,
-    pairs: 0,
-    narrow: 0,
-    contacts: 0,
-    points: 0,
-    islands: 0,
-    substeps: 0,
-    sweeps: 0,
-    hits: 0,
-    rows: 0,
-  }
   const pose: Float64Array = new Float64Array(3)
-  /** Of the present island, before and after its step. */
-  const energies: Float64Array = new Float64Array(4)
   let densities: Float64Array = new Float64Array(0)
-  /** Steps in which partings have left the island of a body in a jam, since it last woke. */
-  let jams: Int32Array = new Int32Array(0)
-  let awake: Int32Array = new Int32Array(0)
-  let awakeCount = 0
-  let population = 0
-  let held: Uint8Array = new Uint8Array(0)
-  let undrawn: Uint8Array = new Uint8Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
-  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
-  let uneven = 0
-  /** Number of the present sweep. */
-  let round = 0
 
   function reserve(slots: number): void {
     reserveBodies(bodies, slots)
     const capacity = bodies.alive.length
-    if (awake.length >= capacity) return
+    if (densities.length >= capacity) return
     reserveHeads(contacts, capacity)
     reservePairs(pairs, capacity)
     reserveIslands(islands, capacity)
     reserveImpacts(impacts, capacity)
-    awake = grown(awake, capacity)
-    held = grown(held, capacity)
-    undrawn = grown(undrawn, capacity)
     densities = grown(densities, capacity)
-    jams = grown(jams, capacity)
-  }
-
-  function airFor(substeps: number): { linear: Air; spin: Air } {
-    let found = airs.get(substeps)
-    if (!found) {
-      found = { linear: air(damping, STEP / substeps), spin: air(spinDamping, STEP / substeps) }
-      airs.set(substeps, found)
-    }
-    return found
-  }
-
-  // Waking -----------------------------------------------------------------------------------------------------------
-
-  /** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
-  function wake(i: number): void {
-    if (bodies.asleep[i] === 0) return
-    rouse(i)
-    for (let n = awakeCount - 1; n < awakeCount; n++) {
-      for (let edge = contacts.head[awake[n]]; edge >= 0; edge = contacts.next[edge]) {
-        const j = contacts.pair[edge ^ 1]
-        const k = (edge >> 1) * CONTACT
-        if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
-          rouse(j)
-      }
-    }
-  }
-
-  function rouse(i: number): void {
-    bodies.asleep[i] = 0
-    bodies.rest[i * 4 + 3] = 0
-    jams[i] = 0
-    undrawn[i] = 1
-    awake[awakeCount++] = i
-    bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
-  }
-
-  /** Wakes body `i` and all that touch it, whether they carry anything or not. */
-  function disturb(i: number): void {
-    wake(i)
-    bodies.rest[i * 4 + 3] = 0
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      const j = contacts.pair[edge ^ 1]
-      if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(j)
-    }
-  }
-
-  /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
-  function wakeStruck(): void {
-    const { state } = bodies
-    for (let n = 0; n < awakeCount; n++) {
-      const i = awake[n]
-      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-        const j = contacts.pair[edge ^ 1]
-        if (j === 0 || bodies.asleep[j] === 0) continue
-        const c = edge >> 1
-        const s = i * STATE
-        const speed =
-          Math.abs(state[s + VX]) +
-          Math.abs(state[s + VY]) +
-          bodies.shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-        const go = speed * STEP + 0.5 * Math.abs(scene.gravity) * STEP * STEP
-        if (gapBound(bodies, contacts, c) > go + MARGIN) continue
-        touch[WIDEST] = go + MARGIN
-        measure(bodies, contacts, walls, c)
-        contacts.measured++
-        for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
-          probe(bodies, contacts, c, p)
-          if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(j)
-        }
-      }
-    }
-  }
-
-  // The step ---------------------------------------------------------------------------------------------------------
-
-  function stepOnce(): void {
-    const { state, before } = bodies
-    for (let n = 0; n < awakeCount; n++) {
-      const i = awake[n]
-      undrawn[i] = 1
-      before[i * 3] = state[i * STATE + X]
-      before[i * 3 + 1] = state[i * STATE + Y]
-      before[i * 3 + 2] = state[i * STATE + ANGLE]
-    }
-    tally(bodies, awake, 0, awakeCount, ahead)
-    updatePairs(bodies, pairs, contacts, walls, scene.gravity, awake, awakeCount)
-    if (awakeCount < population) wakeStruck()
-    findIslands(islands, scene, holds, awake, awakeCount)
-    while (islands.struckCount > 0) {
-      for (let n = 0; n < islands.struckCount; n++) wake(islands.struck[n])
-      findIslands(islands, scene, holds, awake, awakeCount)
-    }
-    for (let n = 0; n < islands.count; n++) {
-      const b0 = islands.bodyStart[n]
-      const b1 = islands.bodyStart[n + 1]
-      const c0 = islands.contactStart[n]
-      const c1 = islands.contactStart[n + 1]
-      if (c0 === c1 && held[islands.bodies[b0]] === 0) fly(islands.bodies[b0])
-      else solve(b0, b1, c0, c1)
-    }
-    stats.steps++
-    stats.islands = islands.count
-    stats.awake = awakeCount
-    if (sleeps) awakeCount = rest(islands, scene, held, awake, awakeCount)
-  }
-
-  /** A body alone in the air: the whole step in closed form. */
-  function fly(i: number): void {
-    const { state } = bodies
-    const { linear, spin } = airFor(1)
-    const s = i * STATE
-    const dx = linear.reach * state[s + VX]
-    const dy = linear.reach * state[s + VY] + scene.gravity * linear.fall
-    const by = spin.reach * state[s + SPIN]
-    state[s + X] += dx
-    state[s + Y] += dy
-    state[s + ANGLE] += by
-    state[s + VX] *= linear.fade
-    state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
-    state[s + SPIN] *= spin.fade
-    capSpeed(state, s)
-    keepInside(scene, i)
-  }
-
-  /** One island through the step. */
-  function solve(b0: number, b1: number, c0: number, c1: number): void {
-    const live = islands.live
-    let end = c0
-    const speed = fastest(b0, b1)
-    const { linear, spin } = airFor(substeps)
-    const still = speed <= BALANCE
-    scene.slow = still ? TOLERANCE_STILL : BALANCE
-    scene.tolerance = still
-      ? TOLERANCE_STILL
-      : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
-    const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
-    const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(hold, b0)) : holds
-    // A hand can press harder than any chip: what it does is solved to the end.
-    let sweeps =
-      grabbed.length > 0
-        ? SWEEPS
-        : speed > LIVELY
-          ? SWEEPS_LIVELY
-          : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
-    // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
-    if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
-    // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
-    const dull = scene.bounce < LIVELY_BOUNCE
-    const free = grabbed.length > 0 || (dull && speed < LIVELY)
-    if (!free) weigh(b0, b1, 0)
-    warmStart(b0, b1, c0, c1, grabbed, substeps)
-    for (let n = 0; n < substeps; n++) {
-      round = (round + ROUNDS) & 0x3fffffff
-      clearImpacts(impacts)
-      scene.relaxation = relaxation
-      if (n > 0) tally(bodies, islands.bodies, b0, b1, ahead)
-      end = prepare(scene, impacts, islands.contacts, live, c0, c1)
-      for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
-      kick(scene, islands.bodies, b0, b1, linear, spin, round)
-      let stirs = 1
-      for (let k = 0; k < sweeps && stirs > 0; k++) {
-        for (let g = 0; g < grabbed.length; g++) {
-          solveHold(bodies, grabbed[g]!)
-          bodies.stirred[grabbed[g]!.body] = round + k - 1
-        }
-        stirs = sweep(scene, live, c0, end, round + k)
-        stats.sweeps++
-      }
-      const active = move(scene, islands.bodies, b0, b1)
-      stats.substeps++
-      if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
-    }
-    let deep = separate(scene, live, c0, end)
-    if (deep > 0 && speed <= JAMMED) {
-      for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
-      if (deep > 0) relieve(b0, b1, c0, end)
-    }
-    for (let n = b0; n < b1; n++) {
-      keepInBox(bodies, pairs, contacts, islands.bodies[n])
-      keepInside(scene, islands.bodies[n])
-    }
-    if (free) return
-    weigh(b0, b1, 2)
-    const moving = energies[2]
-    const gain = Math.min(energies[3] - energies[1], dull ? moving - energies[0] : Infinity)
-    if (!(gain > 0)) return
-    const share = Math.sqrt(Math.max(0, 1 - gain / moving))
-    for (let n = b0; n < b1; n++) {
-      const s = islands.bodies[n] * STATE
-      for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
-    }
-  }
-
-  /** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
-  function relieve(b0: number, b1: number, c0: number, end: number): void {
-    const worst = deepest(scene, islands.live, c0, end)
-    let often = 0
-    for (let n = b0; n < b1; n++) {
-      const i = islands.bodies[n]
-      jams[i] = worst < 0 ? 0 : jams[i] + 1
-      often = Math.max(often, jams[i])
-    }
-    if (often >= PATIENCE) lift(scene, worst)
-  }
-
-  /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
-  function weigh(b0: number, b1: number, at: number): void {
-    const { state } = bodies
-    let moving = 0
-    let height = 0
-    for (let n = b0; n < b1; n++) {
-      const s = islands.bodies[n] * STATE
-      const vx = state[s + VX]
-      const vy = state[s + VY]
-      const spin = state[s + SPIN]
-      const mass = 1 / state[s + INV_MASS]
-      moving += mass * (vx * vx + vy * vy) + (spin * spin) / state[s + INV_INERTIA]
-      height -= mass * state[s + Y]
-    }
-    energies[at] = 0.5 * moving
-    energies[at + 1] = 0.5 * moving + scene.gravity * height
-  }
-
-  /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
-  function fastest(b0: number, b1: number): number {
-    const { state, shape } = bodies
-    let most = 0
-    let lightest = 0
-    let heaviest = Infinity
-    for (let n = b0; n < b1; n++) {
-      const i = islands.bodies[n]
-      const s = i * STATE
-      const inverse = state[s + INV_MASS]
-      if (inverse > lightest) lightest = inverse
-      if (inverse < heaviest) heaviest = inverse
-      const speed =
-        Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-      if (speed > most) most = speed
-    }
-    uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
-    return most
-  }
-
-  /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
-  function warmStart(
-    b0: number,
-    b1: number,
-    c0: number,
-    c1: number,
-    grabbed: Hold[],
-    substeps: number,
-  ): void {
-    const { motion } = bodies
-    for (let n = b0; n < b1; n++) {
-      const i = islands.bodies[n]
-      const m = i * MOTION
-      motion[m + PUSH_X] = 0
-      motion[m + PUSH_Y] = 0
-      motion[m + PUSH_SPIN] = 0
-    }
-    const d = contacts.data
-    for (let n = c0; n < c1; n++) {
-      const c = islands.contacts[n]
-      const k = c * CONTACT
-      d[k + LAG] = 0
-      if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
-        if (d[k + RATE] !== substeps) {
-          const scale = d[k + RATE] / substeps
-          d[k + LOAD] *= scale
-          d[k + SECOND + LOAD] *= scale
-          d[k + DRAG] *= scale
-        }
-        carry(bodies, contacts, c, 1)
-      }
-      d[k + RATE] = substeps
-    }
-    for (const hold of grabbed) carryHold(bodies, hold, substeps)
-  }
-
-  /** Whether the body that `hold` holds is in the island that starts at `b0`. */
-  function inIsland(hold: Hold, b0: number): boolean {
-    return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
   }
 
   return {
@@ -3362,12 +3377,12 @@ function createWorld(options: WorldOptions) {
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
       capSpeed(bodies.state, s)
       bodies.alive[i] = 1
-      population++
+      bodies.population++
       bodies.asleep[i] = 0
-      held[i] = 0
-      jams[i] = 0
-      undrawn[i] = 1
-      awake[awakeCount++] = i
+      bodies.held[i] = 0
+      bodies.jams[i] = 0
+      bodies.undrawn[i] = 1
+      bodies.awake[bodies.awakeCount++] = i
       enterPairs(pairs, i)
       return i
     },
@@ -3375,21 +3390,21 @@ function createWorld(options: WorldOptions) {
     /** Takes body `id` out; what leaned on it wakes. */
     remove(id: number): void {
       if (!bodies.alive[id]) return
-      disturb(id)
+      disturb(scene, id)
       for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
-      let to = 0
-      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[to++] = awake[n]
-      awakeCount = to
+      const { awake, awakeCount } = bodies
+      bodies.awakeCount = 0
+      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
       bodies.alive[id] = 0
-      population--
+      bodies.population--
       freeSlots.push(id)
     },
 
     /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
     place(id: number, motion: Motion): void {
       if (!bodies.alive[id]) return
-      disturb(id)
+      disturb(scene, id)
       const s = id * STATE
       const state = bodies.state
       setPose(
@@ -3409,7 +3424,7 @@ function createWorld(options: WorldOptions) {
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
-      disturb(id)
+      disturb(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), densities[id])
       forget(id)
     },
@@ -3421,7 +3436,7 @@ function createWorld(options: WorldOptions) {
       walls.height = size(height)
       for (let i = 1; i < bodies.count; i++) {
         if (!bodies.alive[i]) continue
-        wake(i)
+        wake(scene, i)
         bodies.rest[i * 4 + 3] = 0
         forget(i)
       }
@@ -3442,7 +3457,7 @@ function createWorld(options: WorldOptions) {
       scene.friction = within(change.friction, 0, 100, scene.friction)
       for (let i = 1; i < bodies.count; i++) {
         if (!bodies.alive[i]) continue
-        wake(i)
+        wake(scene, i)
         bodies.rest[i * 4 + 3] = 0
       }
     },
@@ -3462,7 +3477,7 @@ function createWorld(options: WorldOptions) {
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
-        if (awakeCount > 0) stepOnce()
+        if (bodies.awakeCount > 0) stepOnce(simulation)
       }
     },
 
@@ -3498,8 +3513,8 @@ function createWorld(options: WorldOptions) {
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
-      disturb(id)
-      held[id]++
+      disturb(scene, id)
+      bodies.held[id]++
       holds.push(hold)
       return {
         moveTo(toX, toY, seconds) {
@@ -3510,7 +3525,7 @@ function createWorld(options: WorldOptions) {
           const n = holds.indexOf(hold)
           if (n < 0) return
           holds.splice(n, 1)
-          held[id]--
+          bodies.held[id]--
           throwVelocity(bodies, hold)
         },
       }
@@ -3525,7 +3540,7 @@ function createWorld(options: WorldOptions) {
     /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
       const share = Math.min(1, Math.max(0, left / STEP))
-      const { state, before } = bodies
+      const { state, before, undrawn } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
         undrawn[i] = 1 - bodies.asleep[i]
@@ -3540,7 +3555,7 @@ function createWorld(options: WorldOptions) {
 
     /** True when nothing is awake. */
     get resting(): boolean {
-      return awakeCount === 0
+      return bodies.awakeCount === 0
     },
 
     /** Digest of every pose and velocity, bit for bit (FNV-1a). */
@@ -3558,7 +3573,7 @@ function createWorld(options: WorldOptions) {
   /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
-    undrawn[i] = 1
+    bodies.undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
       contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity

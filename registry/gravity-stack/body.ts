@@ -71,6 +71,8 @@ export const SHAPE = 6
 export class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
   count = 1
+  /** Bodies that are there. */
+  population = 0
   state: Float64Array = new Float64Array(STATE)
   motion: Float64Array = new Float64Array(MOTION)
   shape: Float64Array = new Float64Array(SHAPE)
@@ -85,6 +87,15 @@ export class Bodies {
   stirred: Int32Array = new Int32Array(1)
   /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array = new Uint8Array(1)
+  /** Who is awake. */
+  awake: Int32Array = new Int32Array(1)
+  awakeCount = 0
+  /** Hands that hold the body. */
+  held: Uint8Array = new Uint8Array(1)
+  /** 1 if the body has moved since it was last drawn. */
+  undrawn: Uint8Array = new Uint8Array(1)
+  /** Steps in which partings have left the island of the body in a jam, since it last woke. */
+  jams: Int32Array = new Int32Array(1)
 
   constructor() {
     this.motion[COS] = 1
@@ -110,6 +121,10 @@ export function reserveBodies(bodies: Bodies, slots: number): void {
   bodies.asleep = grown(bodies.asleep, capacity)
   bodies.stirred = grown(bodies.stirred, capacity)
   bodies.moved = grown(bodies.moved, capacity)
+  bodies.awake = grown(bodies.awake, capacity)
+  bodies.held = grown(bodies.held, capacity)
+  bodies.undrawn = grown(bodies.undrawn, capacity)
+  bodies.jams = grown(bodies.jams, capacity)
 }
 
 /**

@@ -38,6 +38,7 @@ import {
   touch,
   type Walls,
 } from './collide'
+import type { Hold } from './grab'
 
 /**
  * Pairs that may touch, and their manifolds: up to two points that share a normal. A pair keeps its slot, and its
@@ -136,6 +137,7 @@ export class Scene {
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  holds: Hold[] = []
 }
 
 export function reserveHeads(contacts: Contacts, bodies: number): void {

@@ -66,8 +66,8 @@ export class Impacts {
   phase = 0
   sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
-  fastest = 0
-  passOn = 0
+  fastest = 0.5
+  passOn = 0.5
 }
 
 export function reserveImpacts(impacts: Impacts, bodies: number): void {
@@ -80,7 +80,7 @@ export function reserveImpacts(impacts: Impacts, bodies: number): void {
 }
 
 /** What `foresee` found: when contact `c` will hit (s from the start of the sub-step, its end if not), and how hard (px/s). */
-const ahead = { time: 0, speed: 0 }
+const ahead = { time: 0.5, speed: 0.5 }
 
 /**
  * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. The goals are the velocities at the

@@ -15,7 +15,7 @@ import {
   type Scene,
   SECOND,
 } from './contacts'
-import { type Hold, pull } from './grab'
+import { pull } from './grab'
 import { straighten } from './solver'
 
 /**
@@ -80,26 +80,21 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): v
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
 }
 
-/** Islands of the `count` bodies listed in `awake`. Where `struck` lists any, they are to be woken, and the islands found again. */
-export function findIslands(
-  islands: Islands,
-  scene: Scene,
-  holds: Hold[],
-  awake: Int32Array,
-  count: number,
-): void {
+/** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
+export function findIslands(islands: Islands, scene: Scene): void {
   const { parent, reach } = islands
+  const { awake, awakeCount: count } = scene.bodies
   const pair = scene.contacts.pair
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
-  for (const hold of holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
+  for (const hold of scene.holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
   islands.nearCount = 0
   islands.struckCount = 0
-  gather(islands, scene, awake, count, false)
+  gather(islands, scene, false)
   // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, scene, awake, count, true)
+  gather(islands, scene, true)
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -147,11 +142,11 @@ export function findIslands(
  * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
  * may go as far as the fastest approach in its island.
  */
-function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number, again: boolean): void {
+function gather(islands: Islands, scene: Scene, again: boolean): void {
   const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, next, pair } = contacts
-  const { state: s, motion, shape, asleep } = bodies
+  const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
@@ -218,17 +213,11 @@ function gather(islands: Islands, scene: Scene, awake: Int32Array, count: number
 
 /**
  * Counts how long each awake body has kept its place, then puts to sleep every group that carries each other and of
- * which all have done so for `REST_TIME`. Returns the bodies that stay awake, at the front of `awake`.
+ * which all have done so for `REST_TIME`.
  */
-export function rest(
-  islands: Islands,
-  scene: Scene,
-  held: Uint8Array,
-  awake: Int32Array,
-  count: number,
-): number {
+export function rest(islands: Islands, scene: Scene): void {
   const { bodies, contacts, gravity } = scene
-  const { state, shape } = bodies
+  const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
   let ready = false
@@ -259,7 +248,7 @@ export function rest(
       }
     }
   }
-  if (!ready) return count
+  if (!ready) return
 
   // `reach` is free by now: it holds the shortest rest of each group, negative so that `unite` keeps the least. Nothing
   // rests on nothing, unless it floats.
@@ -305,16 +294,15 @@ export function rest(
     const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
     if (parted || lifted) for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
   }
-  let left = 0
+  bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
-    if (-least[find(parent, i)] < REST_TIME) awake[left++] = i
+    if (-least[find(parent, i)] < REST_TIME) awake[bodies.awakeCount++] = i
     else {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
     }
   }
-  return left
 }
 
 /** Whether the group of body `i` could sleep, and could not for long. */

@@ -13,9 +13,9 @@ import {
   X,
   Y,
 } from './body'
-import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, type Walls, WIDEST } from './collide'
+import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { SKIN, STEP } from './constants'
-import { addContact, type Contacts, removeContact } from './contacts'
+import { addContact, type Contacts, removeContact, type Scene } from './contacts'
 
 /**
  * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
@@ -85,16 +85,9 @@ function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boo
   return true
 }
 
-/** Brings the pair list up to date with the boxes of the `count` bodies listed in `awake`. */
-export function updatePairs(
-  bodies: Bodies,
-  pairs: Pairs,
-  contacts: Contacts,
-  walls: Walls,
-  gravity: number,
-  awake: Int32Array,
-  count: number,
-): void {
+/** Brings the pair list up to date with the boxes of the bodies that are awake. */
+export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs): void {
+  const { awake, awakeCount: count } = bodies
   const { box, order, moved, partner, wallContact } = pairs
   let any = false
   for (let a = 0; a < count; a++) {
@@ -169,7 +162,7 @@ export function updatePairs(
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
  * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
  */
-export function keepInBox(bodies: Bodies, pairs: Pairs, contacts: Contacts, i: number): void {
+export function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): void {
   const { box, order, partner } = pairs
   const { state } = bodies
   const k = i * 4

@@ -1,11 +1,18 @@
-// Pours 60 chips, then makes another world, with marks before and after. Run by world.test.ts with --trace-deopt, in a process of
-// its own, where nothing else has shaped the compiled code.
+// Pours 60 chips, makes another world, then pours the same chips again when the first two have gone, with marks between. Run by
+// world.test.ts with --trace-deopt, --trace-opt and --expose-gc, in a process of its own, where nothing else has shaped the
+// compiled code.
 import { writeSync } from 'node:fs'
 import { pourChips } from '../../scenes/piles'
 import { run, worldOf } from './testing'
 
 const chips = pourChips('pills', 60, 1)
-run(worldOf(chips).world, 20)
-writeSync(1, '\n<another world>\n')
+const mark = (name: string) => writeSync(1, `\n<${name}>\n`)
+const pour = () => run(worldOf(chips, { sleep: false }).world, 20)
+
+pour()
+mark('another world')
 worldOf(chips)
-writeSync(1, '\n</another world>\n')
+mark('/another world')
+globalThis.gc!()
+pour()
+mark('both gone')

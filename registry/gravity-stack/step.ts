@@ -1,0 +1,408 @@
+import {
+  type Air,
+  ANGLE,
+  air,
+  type Bodies,
+  EXTENT,
+  INV_INERTIA,
+  INV_MASS,
+  MOTION,
+  PUSH_SPIN,
+  PUSH_X,
+  PUSH_Y,
+  SHAPE,
+  SPIN,
+  STATE,
+  tally,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
+import { COUNT, GAP_NOW, RATE_NOW, touch, WIDEST } from './collide'
+import {
+  AHEAD,
+  BALANCE,
+  CREEP,
+  CROWDED,
+  IMPACT_SPREAD,
+  JAMMED,
+  LIVELY,
+  LIVELY_BOUNCE,
+  MARGIN,
+  PARTINGS,
+  PATIENCE,
+  RELAXATION,
+  ROUNDS,
+  SLOP,
+  STEP,
+  SWEEP_BUDGET,
+  SWEEPS,
+  SWEEPS_LEAST,
+  SWEEPS_LIVELY,
+  SWEEPS_UNEVEN,
+  TOLERANCE_LEAST,
+  TOLERANCE_MOST,
+  TOLERANCE_SHARE,
+  TOLERANCE_STILL,
+  UNEVEN,
+} from './constants'
+import {
+  CONTACT,
+  carry,
+  DRAG,
+  gapBound,
+  LAG,
+  LOAD,
+  measure,
+  POINTS,
+  probe,
+  RATE,
+  Scene,
+  SECOND,
+} from './contacts'
+import { carryHold, type Hold, prepareHold, solveHold } from './grab'
+import { clearImpacts, Impacts } from './impacts'
+import { find, findIslands, Islands, rest } from './islands'
+import { keepInBox, Pairs, updatePairs } from './pairs'
+import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
+
+/** What the last call of `step` did, for tests and tools. */
+export class Stats {
+  /** Steps in which something was awake; others are not taken. */
+  steps = 0
+  awake = 0
+  pairs = 0
+  narrow = 0
+  contacts = 0
+  points = 0
+  islands = 0
+  substeps = 0
+  sweeps = 0
+  /** Contacts visited by the sweeps over impacts. */
+  hits = 0
+  rows = 0
+}
+
+/**
+ * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
+ * compiled anew as well, and all of them whenever one of the worlds has gone.
+ */
+export class Simulation {
+  /** Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays. */
+  static kept: Simulation = new Simulation(2, 0.5, 0.5)
+  scene = new Scene()
+  pairs = new Pairs()
+  islands = new Islands()
+  impacts = new Impacts()
+  stats = new Stats()
+  sleeps = true
+  /** Of a step of 1/60 s. */
+  substeps = 1
+  /** What the air does to velocity and to spin in a sub-step, and in a step without any. */
+  air: Air
+  spinAir: Air
+  flightAir: Air
+  flightSpinAir: Air
+  /** Of the present island, before and after its step. */
+  energies: Float64Array = new Float64Array(4)
+  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
+  uneven = 0
+  /** Number of the present sweep. */
+  round = 0
+
+  constructor(substeps: number, damping: number, spinDamping: number) {
+    const h = STEP / substeps
+    this.substeps = substeps
+    this.scene.h = h
+    this.air = air(damping, h)
+    this.spinAir = air(spinDamping, h)
+    this.flightAir = air(damping, STEP)
+    this.flightSpinAir = air(spinDamping, STEP)
+  }
+}
+
+/** One step of all that is awake. */
+export function stepOnce(simulation: Simulation): void {
+  const { scene, pairs, islands, stats } = simulation
+  const { bodies } = scene
+  const { state, before, awake, undrawn } = bodies
+  for (let n = 0; n < bodies.awakeCount; n++) {
+    const i = awake[n]
+    undrawn[i] = 1
+    before[i * 3] = state[i * STATE + X]
+    before[i * 3 + 1] = state[i * STATE + Y]
+    before[i * 3 + 2] = state[i * STATE + ANGLE]
+  }
+  tally(bodies, awake, 0, bodies.awakeCount, AHEAD * scene.h)
+  updatePairs(scene, pairs)
+  if (bodies.awakeCount < bodies.population) wakeStruck(scene)
+  findIslands(islands, scene)
+  while (islands.struckCount > 0) {
+    for (let n = 0; n < islands.struckCount; n++) wake(scene, islands.struck[n])
+    findIslands(islands, scene)
+  }
+  for (let n = 0; n < islands.count; n++) {
+    const b0 = islands.bodyStart[n]
+    const b1 = islands.bodyStart[n + 1]
+    const c0 = islands.contactStart[n]
+    const c1 = islands.contactStart[n + 1]
+    if (c0 === c1 && bodies.held[islands.bodies[b0]] === 0) fly(simulation, islands.bodies[b0])
+    else solve(simulation, b0, b1, c0, c1)
+  }
+  stats.steps++
+  stats.islands = islands.count
+  stats.awake = bodies.awakeCount
+  if (simulation.sleeps) rest(islands, scene)
+}
+
+/** A body alone in the air: the whole step in closed form. */
+function fly({ scene, flightAir: linear, flightSpinAir: spin }: Simulation, i: number): void {
+  const { state } = scene.bodies
+  const s = i * STATE
+  const dx = linear.reach * state[s + VX]
+  const dy = linear.reach * state[s + VY] + scene.gravity * linear.fall
+  const by = spin.reach * state[s + SPIN]
+  state[s + X] += dx
+  state[s + Y] += dy
+  state[s + ANGLE] += by
+  state[s + VX] *= linear.fade
+  state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
+  state[s + SPIN] *= spin.fade
+  capSpeed(state, s)
+  keepInside(scene, i)
+}
+
+/** One island through the step. */
+function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
+  const { scene, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
+  const { bodies, h, holds } = scene
+  const { live } = islands
+  let end = c0
+  const speed = fastest(simulation, b0, b1)
+  const { uneven } = simulation
+  const still = speed <= BALANCE
+  scene.slow = still ? TOLERANCE_STILL : BALANCE
+  scene.tolerance = still
+    ? TOLERANCE_STILL
+    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
+  const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
+  const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
+  // A hand can press harder than any chip: what it does is solved to the end.
+  let sweeps =
+    grabbed.length > 0
+      ? SWEEPS
+      : speed > LIVELY
+        ? SWEEPS_LIVELY
+        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
+  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
+  if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
+  // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
+  const dull = scene.bounce < LIVELY_BOUNCE
+  const free = grabbed.length > 0 || (dull && speed < LIVELY)
+  if (!free) weigh(simulation, b0, b1, 0)
+  warmStart(simulation, b0, b1, c0, c1, grabbed)
+  for (let n = 0; n < substeps; n++) {
+    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
+    const { round } = simulation
+    clearImpacts(impacts)
+    scene.relaxation = relaxation
+    if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+    end = prepare(scene, impacts, islands.contacts, live, c0, c1)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
+    kick(scene, islands.bodies, b0, b1, air, spinAir, round)
+    let stirs = 1
+    for (let k = 0; k < sweeps && stirs > 0; k++) {
+      for (let g = 0; g < grabbed.length; g++) {
+        solveHold(bodies, grabbed[g]!)
+        bodies.stirred[grabbed[g]!.body] = round + k - 1
+      }
+      stirs = sweep(scene, live, c0, end, round + k)
+      stats.sweeps++
+    }
+    const active = move(scene, islands.bodies, b0, b1)
+    stats.substeps++
+    if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
+  }
+  let deep = separate(scene, live, c0, end)
+  if (deep > 0 && speed <= JAMMED) {
+    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
+    if (deep > 0) relieve(simulation, b0, b1, c0, end)
+  }
+  for (let n = b0; n < b1; n++) {
+    keepInBox(scene, pairs, islands.bodies[n])
+    keepInside(scene, islands.bodies[n])
+  }
+  if (free) return
+  weigh(simulation, b0, b1, 2)
+  const { energies } = simulation
+  const moving = energies[2]
+  const gain = Math.min(energies[3] - energies[1], dull ? moving - energies[0] : Infinity)
+  if (!(gain > 0)) return
+  const share = Math.sqrt(Math.max(0, 1 - gain / moving))
+  for (let n = b0; n < b1; n++) {
+    const s = islands.bodies[n] * STATE
+    for (let axis = VX; axis <= SPIN; axis++) bodies.state[s + axis] *= share
+  }
+}
+
+/** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
+function relieve({ scene, islands }: Simulation, b0: number, b1: number, c0: number, end: number): void {
+  const { jams } = scene.bodies
+  const worst = deepest(scene, islands.live, c0, end)
+  let often = 0
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    jams[i] = worst < 0 ? 0 : jams[i] + 1
+    often = Math.max(often, jams[i])
+  }
+  if (often >= PATIENCE) lift(scene, worst)
+}
+
+/** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
+function weigh({ scene, islands, energies }: Simulation, b0: number, b1: number, at: number): void {
+  const { state } = scene.bodies
+  let moving = 0
+  let height = 0
+  for (let n = b0; n < b1; n++) {
+    const s = islands.bodies[n] * STATE
+    const vx = state[s + VX]
+    const vy = state[s + VY]
+    const spin = state[s + SPIN]
+    const mass = 1 / state[s + INV_MASS]
+    moving += mass * (vx * vx + vy * vy) + (spin * spin) / state[s + INV_INERTIA]
+    height -= mass * state[s + Y]
+  }
+  energies[at] = 0.5 * moving
+  energies[at + 1] = 0.5 * moving + scene.gravity * height
+}
+
+/** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
+function fastest(simulation: Simulation, b0: number, b1: number): number {
+  const { scene, islands } = simulation
+  const { state, shape } = scene.bodies
+  let most = 0
+  let lightest = 0
+  let heaviest = Infinity
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    const s = i * STATE
+    const inverse = state[s + INV_MASS]
+    if (inverse > lightest) lightest = inverse
+    if (inverse < heaviest) heaviest = inverse
+    const speed =
+      Math.abs(state[s + VX]) +
+      Math.abs(state[s + VY]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+    if (speed > most) most = speed
+  }
+  simulation.uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
+  return most
+}
+
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
+function warmStart(
+  { scene, islands, substeps }: Simulation,
+  b0: number,
+  b1: number,
+  c0: number,
+  c1: number,
+  grabbed: Hold[],
+): void {
+  const { bodies, contacts } = scene
+  const { motion } = bodies
+  for (let n = b0; n < b1; n++) {
+    const i = islands.bodies[n]
+    const m = i * MOTION
+    motion[m + PUSH_X] = 0
+    motion[m + PUSH_Y] = 0
+    motion[m + PUSH_SPIN] = 0
+  }
+  const d = contacts.data
+  for (let n = c0; n < c1; n++) {
+    const c = islands.contacts[n]
+    const k = c * CONTACT
+    d[k + LAG] = 0
+    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
+      if (d[k + RATE] !== substeps) {
+        const scale = d[k + RATE] / substeps
+        d[k + LOAD] *= scale
+        d[k + SECOND + LOAD] *= scale
+        d[k + DRAG] *= scale
+      }
+      carry(bodies, contacts, c, 1)
+    }
+    d[k + RATE] = substeps
+  }
+  for (const hold of grabbed) carryHold(bodies, hold, substeps)
+}
+
+/** Whether the body that `hold` holds is in the island that starts at `b0`. */
+function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
+  return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
+}
+
+// Waking -----------------------------------------------------------------------------------------------------------------
+
+/** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
+export function wake(scene: Scene, i: number): void {
+  const { bodies, contacts } = scene
+  if (bodies.asleep[i] === 0) return
+  rouse(bodies, i)
+  for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
+    for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      const k = (edge >> 1) * CONTACT
+      if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
+        rouse(bodies, j)
+    }
+  }
+}
+
+function rouse(bodies: Bodies, i: number): void {
+  bodies.asleep[i] = 0
+  bodies.rest[i * 4 + 3] = 0
+  bodies.jams[i] = 0
+  bodies.undrawn[i] = 1
+  bodies.awake[bodies.awakeCount++] = i
+  bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
+}
+
+/** Wakes body `i` and all that touch it, whether they carry anything or not. */
+export function disturb(scene: Scene, i: number): void {
+  const { bodies, contacts } = scene
+  wake(scene, i)
+  bodies.rest[i * 4 + 3] = 0
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const j = contacts.pair[edge ^ 1]
+    if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, j)
+  }
+}
+
+/** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
+function wakeStruck(scene: Scene): void {
+  const { bodies, contacts, walls, gravity } = scene
+  const { state, shape } = bodies
+  for (let n = 0; n < bodies.awakeCount; n++) {
+    const i = bodies.awake[n]
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      if (j === 0 || bodies.asleep[j] === 0) continue
+      const c = edge >> 1
+      const s = i * STATE
+      const speed =
+        Math.abs(state[s + VX]) +
+        Math.abs(state[s + VY]) +
+        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+      const go = speed * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
+      if (gapBound(bodies, contacts, c) > go + MARGIN) continue
+      touch[WIDEST] = go + MARGIN
+      measure(bodies, contacts, walls, c)
+      contacts.measured++
+      for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
+        probe(bodies, contacts, c, p)
+        if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)
+      }
+    }
+  }
+}
