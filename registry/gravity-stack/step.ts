@@ -88,10 +88,9 @@ export class Stats {
  * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
  * compiled anew as well, and all of them whenever one of the worlds has gone.
  */
-export class Simulation {
+export class Simulation extends Scene {
   /** Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays. */
   static kept: Simulation = new Simulation(2, 0.5, 0.5)
-  scene = new Scene()
   pairs = new Pairs()
   islands = new Islands()
   impacts = new Impacts()
@@ -112,9 +111,10 @@ export class Simulation {
   round = 0
 
   constructor(substeps: number, damping: number, spinDamping: number) {
+    super()
     const h = STEP / substeps
     this.substeps = substeps
-    this.scene.h = h
+    this.h = h
     this.air = air(damping, h)
     this.spinAir = air(spinDamping, h)
     this.flightAir = air(damping, STEP)
@@ -124,8 +124,7 @@ export class Simulation {
 
 /** One step of all that is awake. */
 export function stepOnce(simulation: Simulation): void {
-  const { scene, pairs, islands, stats } = simulation
-  const { bodies } = scene
+  const { bodies, pairs, islands, stats } = simulation
   const { state, before, awake, undrawn } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
@@ -134,13 +133,13 @@ export function stepOnce(simulation: Simulation): void {
     before[i * 3 + 1] = state[i * STATE + Y]
     before[i * 3 + 2] = state[i * STATE + ANGLE]
   }
-  tally(bodies, awake, 0, bodies.awakeCount, AHEAD * scene.h)
-  updatePairs(scene, pairs)
-  if (bodies.awakeCount < bodies.population) wakeStruck(scene)
-  findIslands(islands, scene)
+  tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
+  updatePairs(simulation, pairs)
+  if (bodies.awakeCount < bodies.population) wakeStruck(simulation)
+  findIslands(islands, simulation)
   while (islands.struckCount > 0) {
-    for (let n = 0; n < islands.struckCount; n++) wake(scene, islands.struck[n])
-    findIslands(islands, scene)
+    for (let n = 0; n < islands.struckCount; n++) wake(simulation, islands.struck[n])
+    findIslands(islands, simulation)
   }
   for (let n = 0; n < islands.count; n++) {
     const b0 = islands.bodyStart[n]
@@ -153,37 +152,37 @@ export function stepOnce(simulation: Simulation): void {
   stats.steps++
   stats.islands = islands.count
   stats.awake = bodies.awakeCount
-  if (simulation.sleeps) rest(islands, scene)
+  if (simulation.sleeps) rest(islands, simulation)
 }
 
 /** A body alone in the air: the whole step in closed form. */
-function fly({ scene, flightAir: linear, flightSpinAir: spin }: Simulation, i: number): void {
-  const { state } = scene.bodies
+function fly(simulation: Simulation, i: number): void {
+  const { bodies, gravity, flightAir: linear, flightSpinAir: spin } = simulation
+  const { state } = bodies
   const s = i * STATE
   const dx = linear.reach * state[s + VX]
-  const dy = linear.reach * state[s + VY] + scene.gravity * linear.fall
+  const dy = linear.reach * state[s + VY] + gravity * linear.fall
   const by = spin.reach * state[s + SPIN]
   state[s + X] += dx
   state[s + Y] += dy
   state[s + ANGLE] += by
   state[s + VX] *= linear.fade
-  state[s + VY] = linear.fade * state[s + VY] + scene.gravity * linear.reach
+  state[s + VY] = linear.fade * state[s + VY] + gravity * linear.reach
   state[s + SPIN] *= spin.fade
   capSpeed(state, s)
-  keepInside(scene, i)
+  keepInside(simulation, i)
 }
 
 /** One island through the step. */
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
-  const { scene, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
-  const { bodies, h, holds } = scene
+  const { bodies, h, holds, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
   const { live } = islands
   let end = c0
   const speed = fastest(simulation, b0, b1)
   const { uneven } = simulation
   const still = speed <= BALANCE
-  scene.slow = still ? TOLERANCE_STILL : BALANCE
-  scene.tolerance = still
+  simulation.slow = still ? TOLERANCE_STILL : BALANCE
+  simulation.tolerance = still
     ? TOLERANCE_STILL
     : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
   const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
@@ -198,7 +197,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
   if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
   // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
-  const dull = scene.bounce < LIVELY_BOUNCE
+  const dull = simulation.bounce < LIVELY_BOUNCE
   const free = grabbed.length > 0 || (dull && speed < LIVELY)
   if (!free) weigh(simulation, b0, b1, 0)
   warmStart(simulation, b0, b1, c0, c1, grabbed)
@@ -206,32 +205,33 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
     const { round } = simulation
     clearImpacts(impacts)
-    scene.relaxation = relaxation
+    simulation.relaxation = relaxation
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
-    end = prepare(scene, impacts, islands.contacts, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, scene.gravity)
-    kick(scene, islands.bodies, b0, b1, air, spinAir, round)
+    end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, simulation.gravity)
+    kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
     let stirs = 1
     for (let k = 0; k < sweeps && stirs > 0; k++) {
       for (let g = 0; g < grabbed.length; g++) {
         solveHold(bodies, grabbed[g]!)
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
-      stirs = sweep(scene, live, c0, end, round + k)
+      stirs = sweep(simulation, live, c0, end, round + k)
       stats.sweeps++
     }
-    const active = move(scene, islands.bodies, b0, b1)
+    const active = move(simulation, islands.bodies, b0, b1)
     stats.substeps++
     if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
   }
-  let deep = separate(scene, live, c0, end)
+  let deep = separate(simulation, live, c0, end)
   if (deep > 0 && speed <= JAMMED) {
-    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--) deep = separate(scene, live, c0, end)
+    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--)
+      deep = separate(simulation, live, c0, end)
     if (deep > 0) relieve(simulation, b0, b1, c0, end)
   }
   for (let n = b0; n < b1; n++) {
-    keepInBox(scene, pairs, islands.bodies[n])
-    keepInside(scene, islands.bodies[n])
+    keepInBox(simulation, pairs, islands.bodies[n])
+    keepInside(simulation, islands.bodies[n])
   }
   if (free) return
   weigh(simulation, b0, b1, 2)
@@ -247,21 +247,23 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
 }
 
 /** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
-function relieve({ scene, islands }: Simulation, b0: number, b1: number, c0: number, end: number): void {
-  const { jams } = scene.bodies
-  const worst = deepest(scene, islands.live, c0, end)
+function relieve(simulation: Simulation, b0: number, b1: number, c0: number, end: number): void {
+  const { bodies, islands } = simulation
+  const { jams } = bodies
+  const worst = deepest(simulation, islands.live, c0, end)
   let often = 0
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
     jams[i] = worst < 0 ? 0 : jams[i] + 1
     often = Math.max(often, jams[i])
   }
-  if (often >= PATIENCE) lift(scene, worst)
+  if (often >= PATIENCE) lift(simulation, worst)
 }
 
 /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
-function weigh({ scene, islands, energies }: Simulation, b0: number, b1: number, at: number): void {
-  const { state } = scene.bodies
+function weigh(simulation: Simulation, b0: number, b1: number, at: number): void {
+  const { bodies, gravity, islands, energies } = simulation
+  const { state } = bodies
   let moving = 0
   let height = 0
   for (let n = b0; n < b1; n++) {
@@ -274,13 +276,13 @@ function weigh({ scene, islands, energies }: Simulation, b0: number, b1: number,
     height -= mass * state[s + Y]
   }
   energies[at] = 0.5 * moving
-  energies[at + 1] = 0.5 * moving + scene.gravity * height
+  energies[at + 1] = 0.5 * moving + gravity * height
 }
 
 /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
 function fastest(simulation: Simulation, b0: number, b1: number): number {
-  const { scene, islands } = simulation
-  const { state, shape } = scene.bodies
+  const { bodies, islands } = simulation
+  const { state, shape } = bodies
   let most = 0
   let lightest = 0
   let heaviest = Infinity
@@ -302,14 +304,13 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
 
 /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
 function warmStart(
-  { scene, islands, substeps }: Simulation,
+  { bodies, contacts, islands, substeps }: Simulation,
   b0: number,
   b1: number,
   c0: number,
   c1: number,
   grabbed: Hold[],
 ): void {
-  const { bodies, contacts } = scene
   const { motion } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]

@@ -97,20 +97,19 @@ export type World = ReturnType<typeof createWorld>
  */
 export function createWorld(options: WorldOptions) {
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-  const simulation = new Simulation(
+  const scene = new Simulation(
     substeps,
     within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
     within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
   )
-  const { scene, pairs, islands, impacts, stats } = simulation
-  const { bodies, contacts, walls, holds } = scene
+  const { bodies, contacts, walls, holds, pairs, islands, impacts, stats } = scene
   walls.width = size(options.width)
   walls.height = size(options.height)
   scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
-  simulation.sleeps = options.sleep !== false
+  scene.sleeps = options.sleep !== false
   const freeSlots: number[] = []
   const pose: Float64Array = new Float64Array(3)
   let densities: Float64Array = new Float64Array(0)
@@ -253,7 +252,7 @@ export function createWorld(options: WorldOptions) {
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
-        if (bodies.awakeCount > 0) stepOnce(simulation)
+        if (bodies.awakeCount > 0) stepOnce(scene)
       }
     },
 
