@@ -41,16 +41,19 @@ test('a chip whose release was lost to something else is let go when the pointer
   stage,
   page,
 }) => {
+  // Before the stage's own listener, as where the release never comes to the page.
+  await page.addInitScript(() =>
+    window.addEventListener('pointerup', (event) => event.stopImmediatePropagation(), {
+      capture: true,
+      once: true,
+    }),
+  )
   await stage.settled('pile', { chips: 3 })
   const chip = stage.chips.nth(0)
   const { x, y } = await stage.centre(chip)
   await page.mouse.move(x, y)
   await page.mouse.down()
   await expect(chip).toHaveAttribute('data-state', 'held')
-  await page.evaluate(() => {
-    const swallow = (event: Event) => event.stopImmediatePropagation()
-    window.addEventListener('pointerup', swallow, { capture: true, once: true })
-  })
   await page.mouse.up()
   await expect(chip).toHaveAttribute('data-state', 'held')
   await page.mouse.move(x + 40, y - 60, { steps: 3 })

@@ -53,7 +53,7 @@ const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 const SWEEPS_UNEVEN = 300
 const UNEVEN = 20
-/** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
+/** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 const SWEEP_BUDGET = 16_000
 /**
  * Over-relaxation of the sweeps where an island has more contacts, and something faster (px/s), than this: loads get through a pile in fewer of
@@ -145,7 +145,7 @@ const STRAIGHTENING = 20_000
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
-/** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
+/** Hz, damping ratio and force limit (in weights of the chip, at 500 px/s² where gravity is less) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 14
@@ -327,7 +327,7 @@ function narrowest(shape: Float64Array, i: number): number {
   return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
 }
 
-/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
+/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15 within a turn, 1e-13 within 150. */
 function orient(state: Float64Array, motion: Float64Array, i: number): void {
   const angle = state[i * STATE + ANGLE]
   const quarter = Math.round(angle / (Math.PI / 2))
@@ -370,7 +370,7 @@ function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number)
 
 /**
  * Brings the orientation of body `i` up to its angle. tan(θ/2) by a short series, the half-angle formulas are then an
- * exact rotation: 6e-9 rad a second at 20 rad/s, and the vector keeps its length.
+ * exact rotation: off by 2e-9 rad a call at most (turned by 0.3 rad), 1e-15 at the pace of sub-steps, and the vector keeps its length.
  */
 function turn(state: Float64Array, motion: Float64Array, i: number): void {
   const m = i * MOTION
@@ -530,9 +530,7 @@ function collide(bodies: Bodies, a: number, b: number): void {
   } else collideBoxes(bodies, a, b)
 }
 
-/**
- * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
- */
+/** Two segments, ±u and p ± v, and the parameters S and T, -1..1, of their closest points. */
 const line: Float64Array = new Float64Array(10)
 const PX = 0
 const PY = 1
@@ -545,6 +543,8 @@ const INV_UU = 6
 const INV_VV = 7
 const S = 8
 const T = 9
+
+/** Closest points of the segments in `line` (after Ericson, Real-Time Collision Detection, 5.1.9). */
 function closest(): void {
   const ux = line[UX]
   const uy = line[UY]
@@ -2914,7 +2914,7 @@ function drowsy({ parent, reach }: Islands, i: number): boolean {
 
 // step: one step of all that is awake ───────────────────────────────────────────────────────────────────────
 
-/** What the last call of `step` did, for tests and tools. */
+/** What the world did in the last call of its `step`, for tests and tools; `awake` and `islands` are of its last step. */
 class Stats {
   /** Steps in which something was awake; others are not taken. */
   steps = 0
@@ -3274,7 +3274,7 @@ interface WorldOptions {
   bounceThreshold?: number
   /** `false` keeps every body awake, for measuring. */
   sleep?: boolean
-  /** Sub-steps a step of 1/60 s, 1..64. Left out, each island takes what it needs. */
+  /** Sub-steps a step of 1/60 s, 1..64, at most: an island that stands still takes fewer. 6 if left out. */
   substeps?: number
 }
 
@@ -3733,7 +3733,7 @@ const TOUCH_HOLD = 180
 /** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100
-/** px/s, the most that a shake gives, and rad/s of spin for each px/s. */
+/** px/s, what a shake gives upwards at most (and 0.3 of it sideways), and rad/s of spin for each px/s. */
 const SHAKE = 1100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
@@ -3755,8 +3755,8 @@ interface Stage {
   update(options: StageOptions): void
   drop(): void
   shake(): void
-  pause(): void
-  resume(): void
+  /** To be called when `pausing` has changed. */
+  sync(): void
   /** Lets go of everything and leaves the elements as they were rendered. */
   destroy(): void
 }
@@ -3858,7 +3858,8 @@ function pointerMap(root: HTMLElement) {
   }
 }
 
-function createStage(root: HTMLElement): Stage {
+/** `pausing.current` is whether its owner has paused the stage: it outlives one that is hidden and made anew. */
+function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
@@ -3876,7 +3877,6 @@ function createStage(root: HTMLElement): Stage {
   let live = false
   let started = false
   let inView = false
-  let stopped = false
   /** s simulated since the stage began, and ms of the frame before, while frames run. */
   let clock = 0
   let last: number | undefined
@@ -3887,7 +3887,7 @@ function createStage(root: HTMLElement): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  /** Ends all listeners. There since the stage first came near the view. */
+  /** Ends all listeners. There since the stage first came into view. */
   let listening: AbortController | undefined
 
   // Shapes
@@ -3923,6 +3923,8 @@ function createStage(root: HTMLElement): Stage {
 
   function collect() {
     const moves = !still.matches
+    // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
+    for (const late of root.querySelectorAll('[loading=lazy]')) late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
@@ -3995,7 +3997,10 @@ function createStage(root: HTMLElement): Stage {
     queue = []
     clock = turns = slot = 0
     disarm()
-    for (const chip of chips.values()) {
+    // In the order of the children, however they came.
+    for (const element of root.children) {
+      const chip = chips.get(element)
+      if (!chip) continue
       chip.id = -1
       mark(chip, 'waiting')
       if (chip.width) enqueue(chip)
@@ -4104,12 +4109,13 @@ function createStage(root: HTMLElement): Stage {
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
+    if (!listening) return
     const idle = !world || world.resting
     const next = still.matches
       ? 'static'
       : !started || !world
         ? 'waiting'
-        : stopped
+        : pausing.current
           ? 'paused'
           : idle && !queue.length
             ? 'resting'
@@ -4135,7 +4141,8 @@ function createStage(root: HTMLElement): Stage {
     const settled = state === 'running' && next === 'resting'
     state = next
     root.setAttribute('data-state', next)
-    if (settled) options.onSettle?.()
+    // After the frame: an error in it would end Motion's loop for the whole page.
+    if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
   function disarm() {
@@ -4158,7 +4165,7 @@ function createStage(root: HTMLElement): Stage {
     sync()
   }
 
-  /** The stage comes near the view for the first time. Until then it has done nothing. */
+  /** The stage comes into view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -4185,15 +4192,17 @@ function createStage(root: HTMLElement): Stage {
     if (!options.interactive) return
     on(root, 'pointerdown', down)
     on(root, 'click', click, { capture: true })
-    // No images of links drag along with a chip, and a finger that holds one does not scroll.
-    on(root, 'dragstart', (event: Event) => presses.size && event.preventDefault())
-    on(root, 'touchmove', scroll, { passive: false })
     const view = page.defaultView!
-    on(view, 'touchstart', pinch)
-    on(view, 'pointermove', move)
-    on(view, 'pointerup', up)
-    on(view, 'pointercancel', up)
-    on(view, 'lostpointercapture', up)
+    // Before any handler on the way that keeps events to itself.
+    const first = { capture: true }
+    // No link, and no draggable thing around the stage, drags along with a chip; a finger that holds one does not scroll.
+    on(view, 'dragstart', (event: Event) => presses.size && event.preventDefault(), first)
+    on(root, 'touchmove', scroll, { passive: false })
+    on(view, 'touchstart', pinch, first)
+    on(view, 'pointermove', move, first)
+    on(view, 'pointerup', up, first)
+    on(view, 'pointercancel', up, first)
+    on(view, 'lostpointercapture', up, first)
   }
 
   function scroll(event: TouchEvent) {
@@ -4215,6 +4224,12 @@ function createStage(root: HTMLElement): Stage {
     chip.due = clock
     queue.sort((a, b) => a.due - b.due)
     disarm()
+    if (world && pausing.current && queue[0] === chip) {
+      // No time passes, so it is put where it can be seen.
+      release(queue.shift()!)
+      world.place(chip.id, { y: chip.reach })
+      world.eachMoved(paint)
+    }
     sync()
   }
 
@@ -4224,10 +4239,16 @@ function createStage(root: HTMLElement): Stage {
     chip.element.style.zIndex = `${++front}`
   }
 
-  /** The chip in the world that an event is about, while the stage takes part in things. */
+  /** The chip in the world that an event is about, while the stage takes part in things. Of a stage in a chip the inner one is meant. */
   function touched({ target }: Event) {
-    const chip = chipAt(target)
+    const chip = chips.get((target as Element).closest('[data-slot=gravity-stack-chip]')!)
     return chip && chip.id >= 0 && live ? chip : undefined
+  }
+
+  /** Whether an event is about something of a kind inside the chip; what is around the stage does not count. */
+  function within({ element }: Chip, { target }: Event, kind: string) {
+    const found = (target as Element).closest(kind)
+    return !!found && element.contains(found)
   }
 
   function down(event: PointerEvent) {
@@ -4236,7 +4257,7 @@ function createStage(root: HTMLElement): Stage {
     up(event)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
-    if ((event.target as Element).closest(EDITABLE)) return
+    if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
     const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
     track(press, event)
@@ -4270,7 +4291,7 @@ function createStage(root: HTMLElement): Stage {
     const press = presses.get(event.pointerId)
     if (!press) return
     // Its release was lost: to a menu of the system, an alert.
-    if (event.isTrusted && event.type === 'pointermove' && !event.buttons) return letGo(press)
+    if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.down.clientX
     const dy = event.clientY - press.down.clientY
@@ -4328,7 +4349,7 @@ function createStage(root: HTMLElement): Stage {
     }
     // A way to move a chip without dragging.
     const chip = touched(event)
-    if (!chip || (event.target as Element).closest(CONTROL)) return
+    if (!chip || within(chip, event, CONTROL)) return
     kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
@@ -4350,8 +4371,10 @@ function createStage(root: HTMLElement): Stage {
     // A frame of another site is not told how high the window is.
     const most = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
     const fills = intersectionRect.height > FILLS_WINDOW * most
-    if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    if (listening) sync()
+    // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
+    if (intersectionRect.width * intersectionRect.height && (intersectionRatio >= IN_VIEW || fills))
+      started = true
+    sync()
   })
 
   return {
@@ -4386,6 +4409,7 @@ function createStage(root: HTMLElement): Stage {
       if (!world) return
       presses.forEach(letGo)
       started = true
+      pausing.current = false
       begin()
       sync()
     },
@@ -4393,14 +4417,7 @@ function createStage(root: HTMLElement): Stage {
       for (const chip of chips.values()) kick(chip, SHAKE)
       sync()
     },
-    pause() {
-      stopped = true
-      sync()
-    },
-    resume() {
-      stopped = false
-      sync()
-    },
+    sync,
     destroy() {
       presses.forEach(letGo)
       watcher!.unobserve(root)
@@ -4423,7 +4440,7 @@ function createStage(root: HTMLElement): Stage {
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips anew; does nothing before the stage has first come near the view. */
+  /** Drops all chips anew, even if they were paused; does nothing before the stage has first come into view. */
   drop: () => void
   /** Throws the pile into the air. */
   shake: () => void
@@ -4453,7 +4470,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   bounce?: number
   /**
-   * Milliseconds between releases.
+   * Milliseconds between releases, on average: each comes up to 120 ms late.
    * @default 150
    */
   stagger?: number
@@ -4475,11 +4492,18 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   actionsRef?: React.Ref<GravityStackActions>
 }
 
+/** A text in the place of an element: React then gives it a key by its slot among the children. */
+const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
+
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
-  let texts = 0
-  return React.Children.toArray(children).flatMap((child): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${texts++}`, child]]
+  const all: React.ReactNode[] | null | undefined = React.Children.map(children, (child) => {
+    if (typeof child === 'object') return child
+    // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
+    return String(child).trim() ? <Words>{child}</Words> : null
+  })
+  return (all ?? []).flatMap((child, i): [string, React.ReactNode][] => {
+    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
     const key = `${path}/${child.key}`
     return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
   })
@@ -4509,9 +4533,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
 ) {
   const root = React.useRef<HTMLDivElement>(null)
   const stage = React.useRef<Stage | null>(null)
+  const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    const created = createStage(root.current!)
+    const created = createStage(root.current!, pausing)
     stage.current = created
     return () => {
       created.destroy()
@@ -4524,16 +4549,18 @@ export const GravityStack = React.forwardRef(function GravityStack(
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])
-  React.useImperativeHandle(
-    actionsRef,
-    () => ({
+  React.useImperativeHandle(actionsRef, () => {
+    const pause = (yes: boolean) => {
+      pausing.current = yes
+      stage.current?.sync()
+    }
+    return {
       drop: () => stage.current?.drop(),
       shake: () => stage.current?.shake(),
-      pause: () => stage.current?.pause(),
-      resume: () => stage.current?.resume(),
-    }),
-    [],
-  )
+      pause: () => pause(true),
+      resume: () => pause(false),
+    }
+  }, [])
 
   const chip = cn(
     'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',

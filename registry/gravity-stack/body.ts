@@ -171,7 +171,7 @@ export function narrowest(shape: Float64Array, i: number): number {
   return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
 }
 
-/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15. */
+/** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15 within a turn, 1e-13 within 150. */
 export function orient(state: Float64Array, motion: Float64Array, i: number): void {
   const angle = state[i * STATE + ANGLE]
   const quarter = Math.round(angle / (Math.PI / 2))
@@ -214,7 +214,7 @@ export function setPose(bodies: Bodies, i: number, x: number, y: number, angle: 
 
 /**
  * Brings the orientation of body `i` up to its angle. tan(θ/2) by a short series, the half-angle formulas are then an
- * exact rotation: 6e-9 rad a second at 20 rad/s, and the vector keeps its length.
+ * exact rotation: off by 2e-9 rad a call at most (turned by 0.3 rad), 1e-15 at the pace of sub-steps, and the vector keeps its length.
  */
 export function turn(state: Float64Array, motion: Float64Array, i: number): void {
   const m = i * MOTION

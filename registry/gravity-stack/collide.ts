@@ -62,9 +62,7 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   } else collideBoxes(bodies, a, b)
 }
 
-/**
- * Closest points of the segments ±u and p ± v, as parameters -1..1 (after Ericson, Real-Time Collision Detection, 5.1.9).
- */
+/** Two segments, ±u and p ± v, and the parameters S and T, -1..1, of their closest points. */
 const line: Float64Array = new Float64Array(10)
 const PX = 0
 const PY = 1
@@ -77,6 +75,8 @@ const INV_UU = 6
 const INV_VV = 7
 const S = 8
 const T = 9
+
+/** Closest points of the segments in `line` (after Ericson, Real-Time Collision Detection, 5.1.9). */
 function closest(): void {
   const ux = line[UX]
   const uy = line[UY]

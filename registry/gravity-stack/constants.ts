@@ -35,7 +35,7 @@ export const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 export const SWEEPS_UNEVEN = 300
 export const UNEVEN = 20
-/** Contacts that the sweeps of a sub-step visit at most, for the islands at rest: a large pile spreads its sweeps over the frames. */
+/** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 export const SWEEP_BUDGET = 16_000
 /**
  * Over-relaxation of the sweeps where an island has more contacts, and something faster (px/s), than this: loads get through a pile in fewer of
@@ -127,7 +127,7 @@ export const STRAIGHTENING = 20_000
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 export const FOLLOW = 0.03
 
-/** Hz, damping ratio and force limit (in weights of the chip) of the soft constraint that holds a grabbed chip. */
+/** Hz, damping ratio and force limit (in weights of the chip, at 500 px/s² where gravity is less) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
 export const GRAB_STRENGTH = 14

@@ -4,7 +4,7 @@ import { createStage, type Stage } from './stage'
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips anew; does nothing before the stage has first come near the view. */
+  /** Drops all chips anew, even if they were paused; does nothing before the stage has first come into view. */
   drop: () => void
   /** Throws the pile into the air. */
   shake: () => void
@@ -34,7 +34,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   bounce?: number
   /**
-   * Milliseconds between releases.
+   * Milliseconds between releases, on average: each comes up to 120 ms late.
    * @default 150
    */
   stagger?: number
@@ -56,11 +56,18 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   actionsRef?: React.Ref<GravityStackActions>
 }
 
+/** A text in the place of an element: React then gives it a key by its slot among the children. */
+const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
+
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
-  let texts = 0
-  return React.Children.toArray(children).flatMap((child): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${texts++}`, child]]
+  const all: React.ReactNode[] | null | undefined = React.Children.map(children, (child) => {
+    if (typeof child === 'object') return child
+    // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
+    return String(child).trim() ? <Words>{child}</Words> : null
+  })
+  return (all ?? []).flatMap((child, i): [string, React.ReactNode][] => {
+    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
     const key = `${path}/${child.key}`
     return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
   })
@@ -90,9 +97,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
 ) {
   const root = React.useRef<HTMLDivElement>(null)
   const stage = React.useRef<Stage | null>(null)
+  const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    const created = createStage(root.current!)
+    const created = createStage(root.current!, pausing)
     stage.current = created
     return () => {
       created.destroy()
@@ -105,16 +113,18 @@ export const GravityStack = React.forwardRef(function GravityStack(
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])
-  React.useImperativeHandle(
-    actionsRef,
-    () => ({
+  React.useImperativeHandle(actionsRef, () => {
+    const pause = (yes: boolean) => {
+      pausing.current = yes
+      stage.current?.sync()
+    }
+    return {
       drop: () => stage.current?.drop(),
       shake: () => stage.current?.shake(),
-      pause: () => stage.current?.pause(),
-      resume: () => stage.current?.resume(),
-    }),
-    [],
-  )
+      pause: () => pause(true),
+      resume: () => pause(false),
+    }
+  }, [])
 
   const chip = cn(
     'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',

@@ -32,7 +32,7 @@ const TOUCH_HOLD = 180
 /** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100
-/** px/s, the most that a shake gives, and rad/s of spin for each px/s. */
+/** px/s, what a shake gives upwards at most (and 0.3 of it sideways), and rad/s of spin for each px/s. */
 const SHAKE = 1100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
@@ -54,8 +54,8 @@ export interface Stage {
   update(options: StageOptions): void
   drop(): void
   shake(): void
-  pause(): void
-  resume(): void
+  /** To be called when `pausing` has changed. */
+  sync(): void
   /** Lets go of everything and leaves the elements as they were rendered. */
   destroy(): void
 }
@@ -157,7 +157,8 @@ function pointerMap(root: HTMLElement) {
   }
 }
 
-export function createStage(root: HTMLElement): Stage {
+/** `pausing.current` is whether its owner has paused the stage: it outlives one that is hidden and made anew. */
+export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
@@ -175,7 +176,6 @@ export function createStage(root: HTMLElement): Stage {
   let live = false
   let started = false
   let inView = false
-  let stopped = false
   /** s simulated since the stage began, and ms of the frame before, while frames run. */
   let clock = 0
   let last: number | undefined
@@ -186,7 +186,7 @@ export function createStage(root: HTMLElement): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  /** Ends all listeners. There since the stage first came near the view. */
+  /** Ends all listeners. There since the stage first came into view. */
   let listening: AbortController | undefined
 
   // Shapes
@@ -222,6 +222,8 @@ export function createStage(root: HTMLElement): Stage {
 
   function collect() {
     const moves = !still.matches
+    // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
+    for (const late of root.querySelectorAll('[loading=lazy]')) late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
@@ -294,7 +296,10 @@ export function createStage(root: HTMLElement): Stage {
     queue = []
     clock = turns = slot = 0
     disarm()
-    for (const chip of chips.values()) {
+    // In the order of the children, however they came.
+    for (const element of root.children) {
+      const chip = chips.get(element)
+      if (!chip) continue
       chip.id = -1
       mark(chip, 'waiting')
       if (chip.width) enqueue(chip)
@@ -403,12 +408,13 @@ export function createStage(root: HTMLElement): Stage {
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
+    if (!listening) return
     const idle = !world || world.resting
     const next = still.matches
       ? 'static'
       : !started || !world
         ? 'waiting'
-        : stopped
+        : pausing.current
           ? 'paused'
           : idle && !queue.length
             ? 'resting'
@@ -434,7 +440,8 @@ export function createStage(root: HTMLElement): Stage {
     const settled = state === 'running' && next === 'resting'
     state = next
     root.setAttribute('data-state', next)
-    if (settled) options.onSettle?.()
+    // After the frame: an error in it would end Motion's loop for the whole page.
+    if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
   function disarm() {
@@ -457,7 +464,7 @@ export function createStage(root: HTMLElement): Stage {
     sync()
   }
 
-  /** The stage comes near the view for the first time. Until then it has done nothing. */
+  /** The stage comes into view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -484,15 +491,17 @@ export function createStage(root: HTMLElement): Stage {
     if (!options.interactive) return
     on(root, 'pointerdown', down)
     on(root, 'click', click, { capture: true })
-    // No images of links drag along with a chip, and a finger that holds one does not scroll.
-    on(root, 'dragstart', (event: Event) => presses.size && event.preventDefault())
-    on(root, 'touchmove', scroll, { passive: false })
     const view = page.defaultView!
-    on(view, 'touchstart', pinch)
-    on(view, 'pointermove', move)
-    on(view, 'pointerup', up)
-    on(view, 'pointercancel', up)
-    on(view, 'lostpointercapture', up)
+    // Before any handler on the way that keeps events to itself.
+    const first = { capture: true }
+    // No link, and no draggable thing around the stage, drags along with a chip; a finger that holds one does not scroll.
+    on(view, 'dragstart', (event: Event) => presses.size && event.preventDefault(), first)
+    on(root, 'touchmove', scroll, { passive: false })
+    on(view, 'touchstart', pinch, first)
+    on(view, 'pointermove', move, first)
+    on(view, 'pointerup', up, first)
+    on(view, 'pointercancel', up, first)
+    on(view, 'lostpointercapture', up, first)
   }
 
   function scroll(event: TouchEvent) {
@@ -514,6 +523,12 @@ export function createStage(root: HTMLElement): Stage {
     chip.due = clock
     queue.sort((a, b) => a.due - b.due)
     disarm()
+    if (world && pausing.current && queue[0] === chip) {
+      // No time passes, so it is put where it can be seen.
+      release(queue.shift()!)
+      world.place(chip.id, { y: chip.reach })
+      world.eachMoved(paint)
+    }
     sync()
   }
 
@@ -523,10 +538,16 @@ export function createStage(root: HTMLElement): Stage {
     chip.element.style.zIndex = `${++front}`
   }
 
-  /** The chip in the world that an event is about, while the stage takes part in things. */
+  /** The chip in the world that an event is about, while the stage takes part in things. Of a stage in a chip the inner one is meant. */
   function touched({ target }: Event) {
-    const chip = chipAt(target)
+    const chip = chips.get((target as Element).closest('[data-slot=gravity-stack-chip]')!)
     return chip && chip.id >= 0 && live ? chip : undefined
+  }
+
+  /** Whether an event is about something of a kind inside the chip; what is around the stage does not count. */
+  function within({ element }: Chip, { target }: Event, kind: string) {
+    const found = (target as Element).closest(kind)
+    return !!found && element.contains(found)
   }
 
   function down(event: PointerEvent) {
@@ -535,7 +556,7 @@ export function createStage(root: HTMLElement): Stage {
     up(event)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
-    if ((event.target as Element).closest(EDITABLE)) return
+    if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
     const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
     track(press, event)
@@ -569,7 +590,7 @@ export function createStage(root: HTMLElement): Stage {
     const press = presses.get(event.pointerId)
     if (!press) return
     // Its release was lost: to a menu of the system, an alert.
-    if (event.isTrusted && event.type === 'pointermove' && !event.buttons) return letGo(press)
+    if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.down.clientX
     const dy = event.clientY - press.down.clientY
@@ -627,7 +648,7 @@ export function createStage(root: HTMLElement): Stage {
     }
     // A way to move a chip without dragging.
     const chip = touched(event)
-    if (!chip || (event.target as Element).closest(CONTROL)) return
+    if (!chip || within(chip, event, CONTROL)) return
     kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
@@ -649,8 +670,10 @@ export function createStage(root: HTMLElement): Stage {
     // A frame of another site is not told how high the window is.
     const most = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
     const fills = intersectionRect.height > FILLS_WINDOW * most
-    if (inView && (intersectionRatio >= IN_VIEW || fills)) started = true
-    if (listening) sync()
+    // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
+    if (intersectionRect.width * intersectionRect.height && (intersectionRatio >= IN_VIEW || fills))
+      started = true
+    sync()
   })
 
   return {
@@ -685,6 +708,7 @@ export function createStage(root: HTMLElement): Stage {
       if (!world) return
       presses.forEach(letGo)
       started = true
+      pausing.current = false
       begin()
       sync()
     },
@@ -692,14 +716,7 @@ export function createStage(root: HTMLElement): Stage {
       for (const chip of chips.values()) kick(chip, SHAKE)
       sync()
     },
-    pause() {
-      stopped = true
-      sync()
-    },
-    resume() {
-      stopped = false
-      sync()
-    },
+    sync,
     destroy() {
       presses.forEach(letGo)
       watcher!.unobserve(root)

@@ -67,7 +67,7 @@ import { find, findIslands, Islands, rest } from './islands'
 import { keepInBox, Pairs, updatePairs } from './pairs'
 import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
 
-/** What the last call of `step` did, for tests and tools. */
+/** What the world did in the last call of its `step`, for tests and tools; `awake` and `islands` are of its last step. */
 export class Stats {
   /** Steps in which something was awake; others are not taken. */
   steps = 0

@@ -49,7 +49,7 @@ export interface WorldOptions {
   bounceThreshold?: number
   /** `false` keeps every body awake, for measuring. */
   sleep?: boolean
-  /** Sub-steps a step of 1/60 s, 1..64. Left out, each island takes what it needs. */
+  /** Sub-steps a step of 1/60 s, 1..64, at most: an island that stands still takes fewer. 6 if left out. */
   substeps?: number
 }
 

@@ -1,0 +1,141 @@
+import { expect, test } from './fixtures/stage'
+
+test('a pile can still be moved after an error in onSettle', async ({ stage, page }) => {
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(error.message))
+  await stage.settled('surroundings', { kind: 'throws' })
+  await expect.poll(() => errors).toEqual(['of onSettle'])
+  const chip = stage.chip('one')
+  const { y } = await stage.drag(chip, 0, -100)
+  await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(20)
+  await page.mouse.up()
+  await expect.poll(() => errors).toEqual(['of onSettle', 'of onSettle'])
+  await stage.probe((probe) => probe.errors.splice(0))
+})
+
+test('a tap makes a chip hop, also where all around it can have the focus', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'focusable' })
+  const chip = stage.chip('two')
+  const { x, y } = await stage.centre(chip)
+  const highest = chip.evaluate(async (element) => {
+    let top = Number.POSITIVE_INFINITY
+    while (element.dataset.state === 'resting') await window.probe.pass(1)
+    while (element.dataset.state !== 'resting') {
+      const box = element.getBoundingClientRect()
+      top = Math.min(top, box.y + box.height / 2)
+      await window.probe.pass(1)
+    }
+    return top
+  })
+  await page.mouse.click(x, y)
+  expect(y - (await highest)).toBeGreaterThan(20)
+})
+
+for (const kind of ['greedy', 'draggable']) {
+  test(`a chip is dragged where what is around it is ${kind}`, async ({ stage, page }) => {
+    await stage.settled('surroundings', { kind })
+    const chip = stage.chip('two')
+    const { y } = await stage.drag(chip, 0, -100)
+    await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(20)
+    await page.mouse.up()
+    await stage.reaches('resting')
+  })
+}
+
+test('pause() holds a stage from the start when it is called before anything is seen', async ({ stage }) => {
+  await stage.open('surroundings', { kind: 'early' })
+  await stage.reaches('paused')
+  expect(new Set(await stage.states())).toEqual(new Set(['waiting']))
+  expect(await stage.during('frames')).toBe(0)
+})
+
+test('drop() lets a paused pile fall', async ({ stage, page }) => {
+  await stage.open('extras')
+  await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'falling')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  await page.locator('#drop').click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+})
+
+test('what waits above a paused stage comes into view when it gets the focus', async ({ stage, page }) => {
+  await stage.open('surroundings', { kind: 'links' })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'falling')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  const late = page.getByText('there', { exact: true })
+  await late.focus()
+  await expect(late).toBeInViewport({ ratio: 1 })
+  await stage.reaches('paused')
+})
+
+test('a text that comes in front of others is a chip of its own, and theirs stay theirs', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'texts' })
+  const marked = () =>
+    stage.chips.evaluateAll((all) =>
+      all.map((chip) => `${chip.textContent} ${(chip as HTMLElement).dataset.mark ?? ''}`.trim()),
+    )
+  await stage.chips.evaluateAll((all) => {
+    for (const chip of all) (chip as HTMLElement).dataset.mark = chip.textContent!
+  })
+  await page.locator('#next').click()
+  await expect.poll(marked).toEqual(['first', 'second second', 'third third'])
+  await stage.reaches('resting')
+  await page.locator('#next').click()
+  await expect.poll(marked).toEqual(['second second', 'third third'])
+})
+
+test('drop() goes by the order of the children, not by when they came', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'front' })
+  await page.locator('#next').click()
+  await expect(stage.chips.first()).toHaveText('new')
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  await page.locator('#drop').click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  const order = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
+  expect(order.slice(-4)).toEqual([0, 1, 2, 3])
+})
+
+test('a picture that loads lazily loads, and falls', async ({ stage, page }) => {
+  await page.route('**/late.svg', (route) =>
+    route.fulfill({
+      contentType: 'image/svg+xml',
+      body: '<svg xmlns="http://www.w3.org/2000/svg" width="80" height="40"><rect width="80" height="40"/></svg>',
+    }),
+  )
+  await stage.open('surroundings', { kind: 'lazy' })
+  await expect(stage.chips.first()).not.toHaveAttribute('data-state', 'waiting')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('of a stage inside a chip of another one press takes the inner chip alone', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'nested' })
+  const inner = page.getByText('inner', { exact: true })
+  const box = (await inner.boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  const held = page.locator('[data-state=held]')
+  await expect(held).toHaveCount(1)
+  await expect(held).toHaveText('inner')
+  await page.mouse.up()
+})
+
+test('a stage that grows out of nothing at the edge of the window waits until it is seen', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'grows' })
+  await stage.probe((probe) => probe.pass(3))
+  await page.locator('#next').click()
+  await stage.reaches('waiting')
+  await stage.probe((probe) => probe.pass(5))
+  await stage.reaches('waiting')
+  await page.mouse.wheel(0, 400)
+  await stage.reaches('running')
+})
