@@ -1,3 +1,4 @@
+import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
 import { Code } from '@/components/code-block'
 import { Command } from '@/components/command'
@@ -7,6 +8,8 @@ import { PageTools } from '@/components/page-tools'
 import { heroEffects, heroSnippets } from '@/lib/hero-snippets'
 import { type Fact, facts, pitch, price, ways } from '@/lib/home'
 import { siteUrl } from '@/site.config.mjs'
+
+export const metadata: Metadata = { alternates: { canonical: '/' } }
 
 const snippets = Object.fromEntries(
   heroEffects.map((effect) => [effect, <Code key={effect} code={heroSnippets[effect]} />]),

@@ -13,9 +13,7 @@ export function ComponentSource() {
     <div className="code overflow-hidden rounded-xl border bg-panel">
       <div className="flex items-center justify-between border-b py-1 pr-1.5 pl-4">
         <span className="truncate font-mono text-muted-foreground text-xs">{componentFile}</span>
-        <CopyButton from="/source/gravity-stack.tsx.txt" label="Copy the whole file">
-          Copy file
-        </CopyButton>
+        <CopyButton from="/source/gravity-stack.tsx.txt">Copy the whole file</CopyButton>
       </div>
       <SourceText
         all={`Show all ${lines.length.toLocaleString('en')} lines`}

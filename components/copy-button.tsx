@@ -6,18 +6,18 @@ import { CheckIcon, CopyIcon } from './icons'
 
 /**
  * Copies what stands at the address `from`, or else the code in the same `.code` box.
- * The words beside the icon are there when `children` are; the accessible name is `label` either way.
+ * The words beside the icon are there when `children` are. A `label` that says more than they do contains them.
  */
 export function CopyButton({
   from,
-  label = 'Copy code',
-  className,
   children,
+  label = children ?? 'Copy code',
+  className,
 }: {
   from?: string
+  children?: string
   label?: string
   className?: string
-  children?: string
 }) {
   const [state, setState] = useState<'idle' | 'copied' | 'failed'>('idle')
 
@@ -38,7 +38,7 @@ export function CopyButton({
         await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
       } else {
         const shown = Array.from(button.closest('.code')?.querySelectorAll('pre') ?? []).find(
-          (pre) => pre.checkVisibility?.({ visibilityProperty: true }) ?? true,
+          (pre) => pre.getClientRects().length > 0 && getComputedStyle(pre).visibility === 'visible',
         )
         await navigator.clipboard.writeText(shown?.textContent ?? '')
       }
@@ -50,24 +50,26 @@ export function CopyButton({
 
   const said = { idle: label, copied: 'Copied', failed: 'Could not copy' }[state]
   return (
-    <button
-      type="button"
-      data-print="hide"
-      data-state={state}
-      aria-label={said}
-      title={said}
-      onClick={(event) => copy(event.currentTarget)}
-      className={classes(
-        'inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground',
-        state === 'failed' && 'text-red-700 dark:text-red-300',
-        className,
-      )}
-    >
-      {state === 'copied' ? <CheckIcon /> : <CopyIcon />}
-      {children && <span>{children}</span>}
+    <>
+      <button
+        type="button"
+        data-print="hide"
+        data-state={state}
+        aria-label={said}
+        title={said}
+        onClick={(event) => copy(event.currentTarget)}
+        className={classes(
+          'inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground',
+          state === 'failed' && 'text-red-700 dark:text-red-300',
+          className,
+        )}
+      >
+        {state === 'copied' ? <CheckIcon /> : <CopyIcon />}
+        {children && <span>{state === 'idle' ? children : said}</span>}
+      </button>
       <span role="status" className="sr-only">
         {state === 'idle' ? '' : said}
       </span>
-    </button>
+    </>
   )
 }

@@ -28,8 +28,8 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
     const near = new IntersectionObserver(
       async ([entry]) => {
         if (!entry.isIntersecting) return
-        near.disconnect()
         const Example = await load(name)
+        near.disconnect()
         if (!box.current || root.current) return
         example.current = Example
         root.current = hydrateRoot(box.current, <Example key={latest.current} />)

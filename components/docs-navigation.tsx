@@ -1,4 +1,4 @@
-export type Navigation = { title: string; pages: { title: string; href: string }[] }[]
+type Navigation = { title: string; pages: { title: string; href: string }[] }[]
 
 /** The pages of the docs by section; the one at `path` is marked. */
 export function DocsNavigation({ sections, path }: { sections: Navigation; path?: string }) {

@@ -4,7 +4,7 @@ import { Fragment } from 'react'
 
 // Enough of TSX to colour what the playground writes; the docs' own code is highlighted at build time.
 const token =
-  /(?<string>'(?:[^'\\]|\\.)*'|"[^"]*"|`[^`]*`)|(?<keyword>\b(?:import|from|export|function|return|const|type)\b)|(?<constant>\b\d+(?:\.\d+)?\b|<\/?[A-Za-z]+|\/?>)|(?<function>\b[a-zA-Z]+(?=[=(]))/g
+  /(?<string>'(?:[^'\\]|\\.)*'|"[^"]*"|`[^`]*`)|(?<comment>\/\/.*)|(?<keyword>\b(?:import|from|export|function|return|const|type)\b)|(?<constant>\b\d+(?:\.\d+)?\b|<\/?[A-Za-z]+|\/?>)|(?<function>\b[a-zA-Z]+(?=[=(]))/g
 
 export function LiveCode({ code }: { code: string }) {
   const parts = []

@@ -22,6 +22,7 @@ import {
   shapes,
   toQuery,
 } from '@/lib/playground'
+import { stillMotion } from '@/lib/still-motion'
 import { CopyButton } from './copy-button'
 import { chipColours, drawChip, drawDot, drawLine, paletteOf } from './lab/draw'
 import { inspect, meanMass } from './lab/inspect'
@@ -39,10 +40,25 @@ const weightLength = 12
 const longestForce = 80
 const asleepColour = '#bab3ab'
 
-type Held = ReturnType<Pile['world']['grab']>
+/** As in the component: ms that a finger rests, or px that it moves aside, before it holds instead of scrolls. */
+const touchHold = 180
+const touchDragStart = 8
+
+/** ms without a change before the address is written: Safari refuses the hundredth time in half a minute. */
+const addressDelay = 300
+
+/** A pointer that is down on a chip: where it is, in px and s of the stage. It holds the chip once there is a grab. */
+type Press = {
+  down: { x: number; y: number }
+  at: [x: number, y: number, seconds: number]
+  hold: () => void
+  timer?: ReturnType<typeof setTimeout>
+  grab?: ReturnType<Pile['world']['grab']>
+}
 
 /** What the solver did in the last step, and how long it took. */
 type Work = {
+  released: number
   awake: number
   pairs: number
   contacts: number
@@ -51,7 +67,16 @@ type Work = {
   micros: number
   resting: boolean
 }
-const idle: Work = { awake: 0, pairs: 0, contacts: 0, islands: 0, substeps: 0, micros: 0, resting: false }
+const idle: Work = {
+  released: 0,
+  awake: 0,
+  pairs: 0,
+  contacts: 0,
+  islands: 0,
+  substeps: 0,
+  micros: 0,
+  resting: false,
+}
 
 export function Playground() {
   const [settings, setSettings] = useState<Settings>()
@@ -65,18 +90,27 @@ export function Playground() {
   const pile = useRef<Pile>(null)
   const mean = useRef(0)
   const kick = useRef(() => {})
+  const address = useRef<ReturnType<typeof setTimeout>>(undefined)
 
   // The address is known in the browser only; until then the stage is empty.
   useEffect(() => {
     setSettings(fromQuery(location.search))
-    if (matchMedia('(prefers-reduced-motion: reduce)').matches) setPlaying(false)
+    if (stillMotion()) setPlaying(false)
+    return () => clearTimeout(address.current)
   }, [])
 
   const change = (next: Partial<Settings>) => {
     const changed = { ...(settings ?? defaults), ...next }
     setSettings(changed)
-    const query = toQuery(changed)
-    history.replaceState(history.state, '', query ? `?${query}` : location.pathname)
+    clearTimeout(address.current)
+    address.current = setTimeout(() => {
+      const query = toQuery(changed)
+      try {
+        history.replaceState(history.state, '', query ? `?${query}` : location.pathname)
+      } catch {
+        // Too often for this browser: the next change brings the address up to date.
+      }
+    }, addressDelay)
   }
 
   const ready = settings !== undefined
@@ -115,7 +149,7 @@ export function Playground() {
         label: elements[chip].textContent ?? '',
       })
     })
-    const pixels = weightLength / (meanMass(world) * Math.max(gravity, 1))
+    const pixels = weightLength / (meanMass(world) * Math.max(world.scene.gravity, 1))
     for (const { x, y, forceX, forceY } of touches) {
       const scale = Math.min(pixels, longestForce / Math.hypot(forceX, forceY))
       drawLine(context, [x, y], [x + scale * forceX, y + scale * forceY], palette.alarm)
@@ -129,7 +163,8 @@ export function Playground() {
     // Browsers round their clocks to 100 µs, so one step says little: a mean that forgets slowly.
     mean.current += 0.05 * ((performance.now() - before) * 1000 - mean.current)
     const micros = mean.current
-    setWork({ ...pile.current!.world.stats, micros, resting: pile.current!.resting })
+    const { world, ids, resting } = pile.current!
+    setWork({ ...world.stats, released: ids.length, micros, resting })
   }
 
   // A new pile when its chips or their order change; `drop` counts the presses of the button.
@@ -185,25 +220,72 @@ export function Playground() {
     return () => cancelAnimationFrame(request)
   }, [playing, speed, overlay])
 
-  const holds = useRef(new Map<number, Held>())
+  // biome-ignore lint/correctness/useExhaustiveDependencies: paints what it finds in the refs
+  useEffect(() => {
+    if (!overlay) return
+    const theme = new MutationObserver(() => paint())
+    theme.observe(document.documentElement, { attributeFilter: ['class'] })
+    return () => theme.disconnect()
+  }, [overlay])
+
+  const presses = useRef(new Map<number, Press>())
+  // A finger that holds a chip does not scroll. React's own listeners are passive, and can't prevent it.
+  useEffect(() => {
+    const element = stage.current!
+    const scroll = (event: TouchEvent) => {
+      const holds = [...presses.current.values()].some(({ grab }) => grab)
+      if (holds && event.cancelable) event.preventDefault()
+    }
+    element.addEventListener('touchmove', scroll, { passive: false })
+    return () => element.removeEventListener('touchmove', scroll)
+  }, [])
+
   const point = (event: PointerEvent): [number, number, number] => {
     const box = stage.current!.getBoundingClientRect()
     return [event.clientX - box.left, event.clientY - box.top, event.timeStamp / 1000]
   }
-  function grab(event: PointerEvent<HTMLElement>, chip: number) {
+  function down(event: PointerEvent<HTMLElement>, chip: number) {
     const id = pile.current?.ids[chip]
     if (!now.interactive || id === undefined || event.button !== 0) return
     event.currentTarget.setPointerCapture(event.pointerId)
-    const [x, y] = point(event)
-    holds.current.set(event.pointerId, pile.current!.world.grab(id, x, y))
-    kick.current()
+    const { world } = pile.current!
+    const [x, y, seconds] = point(event)
+    const start = world.read(id)
+    const press: Press = {
+      down: { x, y },
+      at: [x, y, seconds],
+      hold() {
+        clearTimeout(press.timer)
+        // The chip may have moved on while a finger rested.
+        const { x: chipX, y: chipY } = world.read(id)
+        press.grab = world.grab(id, chipX + x - start.x, chipY + y - start.y)
+        press.grab.moveTo(...press.at)
+        kick.current()
+      },
+    }
+    presses.current.set(event.pointerId, press)
+    if (event.pointerType === 'touch') press.timer = setTimeout(press.hold, touchHold)
+    else press.hold()
+  }
+  function move(event: PointerEvent) {
+    const press = presses.current.get(event.pointerId)
+    if (!press) return
+    press.at = point(event)
+    const [dx, dy] = [press.at[0] - press.down.x, press.at[1] - press.down.y]
+    if (press.grab) press.grab.moveTo(...press.at)
+    else if (Math.hypot(dx, dy) > touchDragStart) {
+      // A finger that sets out up or down wants to scroll the page.
+      if (Math.abs(dy) > Math.abs(dx)) letGo(event)
+      else press.hold()
+    }
   }
   function letGo(event: PointerEvent) {
-    const hold = holds.current.get(event.pointerId)
+    const press = presses.current.get(event.pointerId)
+    clearTimeout(press?.timer)
     // Where the hand stands now: one that has stood still throws nothing.
-    hold?.moveTo(...point(event))
-    hold?.release()
-    holds.current.delete(event.pointerId)
+    press?.grab?.moveTo(...point(event))
+    press?.grab?.release()
+    presses.current.delete(event.pointerId)
   }
 
   const button =
@@ -258,26 +340,31 @@ export function Playground() {
           ref={stage}
           data-slot="playground-stage"
           data-state={work.resting ? 'resting' : playing ? 'running' : 'paused'}
-          className="relative isolate h-[26rem] overflow-clip bg-stage contain-strict"
+          className="relative isolate h-96 overflow-clip bg-stage contain-strict"
         >
           {chips.map(({ word, className }, chip) => (
             <div
               // biome-ignore lint/suspicious/noArrayIndexKey: words may repeat, and chips have no other name
               key={`${className} ${chip}`}
               data-chip
-              onPointerDown={(event) => grab(event, chip)}
-              onPointerMove={(event) => holds.current.get(event.pointerId)?.moveTo(...point(event))}
+              onPointerDown={(event) => down(event, chip)}
+              onPointerMove={move}
               onPointerUp={letGo}
               onPointerCancel={letGo}
               onLostPointerCapture={letGo}
               className={classes(
-                'absolute top-0 left-0 flex w-max select-none',
-                now.interactive && 'cursor-grab touch-none active:cursor-grabbing',
+                'absolute top-0 left-0 flex w-max max-w-full select-none',
+                now.interactive && 'cursor-grab touch-pan-y touch-pinch-zoom active:cursor-grabbing',
               )}
             >
               <span className={className}>{word}</span>
             </div>
           ))}
+          {ready && !playing && work.released === 0 && stillMotion() && (
+            <p className="absolute inset-0 grid place-items-center p-6 text-center text-muted-foreground text-sm">
+              Motion is off, as your system asks. Play drops the chips.
+            </p>
+          )}
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
         <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
@@ -344,7 +431,7 @@ export function Playground() {
             change(defaults)
             setSpeed(1)
             setOverlay(false)
-            setPlaying(true)
+            setPlaying(!stillMotion())
             setDrop(drop + 1)
           }}
         >

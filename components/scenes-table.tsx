@@ -2,18 +2,13 @@ import fuzzMisses from '@/bench/fuzz-misses.json'
 import hardRows from '@/bench/results/stability.json'
 import { scenes } from '@/scenes'
 import { checks } from '@/scenes/fuzzed'
-import { type HardFigures, hardScenes, hardUnits, hardWords } from '@/scenes/hard'
+import { type HardFigures, hardScenes } from '@/scenes/hard'
 import { filmOf } from './lab/film'
+import { named } from './lab/named'
 import { shortFigure } from './lab/short-figure'
 import { ScrollTable } from './scroll-table'
 
 type Row = { measure: string; value: number; unit: string; bound?: number }
-
-/** A figure's words and unit; a share has none. */
-function named(figure: keyof HardFigures) {
-  const [measure, unit] = [hardWords[figure], hardUnits[figure]]
-  return unit.startsWith('of ') ? { measure: `${measure}, share`, unit: '' } : { measure, unit }
-}
 
 /** What must be none and is none, in one row. */
 function folded(rows: Row[]): Row[] {

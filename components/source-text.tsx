@@ -1,18 +1,21 @@
 'use client'
 
-import { type ReactNode, useState } from 'react'
+import { type ReactNode, useEffect, useRef, useState } from 'react'
 
 /** `children` are the first lines; a press on `all` brings the file in full, highlighted at build time. */
 export function SourceText({ all, plain, children }: { all: string; plain: ReactNode; children: ReactNode }) {
   const [html, setHtml] = useState<string>()
   const [state, setState] = useState<'short' | 'loading' | 'failed'>('short')
+  const code = useRef<HTMLDivElement>(null)
 
-  if (html) {
-    // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
-    return <div className="[&>pre]:max-h-[36rem]" dangerouslySetInnerHTML={{ __html: html }} />
-  }
+  // The button that had the focus is gone; a reader who has moved on meanwhile is left alone.
+  useEffect(() => {
+    if (!html || document.activeElement !== document.body) return
+    code.current!.querySelector('pre')!.focus({ preventScroll: true })
+  }, [html])
 
   async function show() {
+    if (state === 'loading') return
     setState('loading')
     try {
       const response = await fetch('/source/gravity-stack.html.txt')
@@ -25,15 +28,22 @@ export function SourceText({ all, plain, children }: { all: string; plain: React
 
   return (
     <>
-      {children}
+      {html ? (
+        // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
+        <div ref={code} className="[&>pre]:max-h-[36rem]" dangerouslySetInnerHTML={{ __html: html }} />
+      ) : (
+        children
+      )}
       <div className="flex flex-wrap items-center gap-x-4 gap-y-1 border-t px-4 py-2 text-sm">
-        <button
-          type="button"
-          onClick={show}
-          className="font-medium underline decoration-foreground/30 underline-offset-4 hover:decoration-foreground"
-        >
-          {state === 'loading' ? 'Fetching…' : all}
-        </button>
+        {!html && (
+          <button
+            type="button"
+            onClick={show}
+            className="font-medium underline decoration-foreground/30 underline-offset-4 hover:decoration-foreground"
+          >
+            {state === 'loading' ? 'Fetching…' : all}
+          </button>
+        )}
         {plain}
         {state === 'failed' && <span role="alert">It could not be fetched; the plain text may work.</span>}
       </div>

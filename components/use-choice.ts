@@ -5,9 +5,14 @@ import { type Choice, choices, save } from '@/lib/preferences'
 
 const changed = 'gravity-stack:choice'
 
+// The script in <head> hears the last two first, and marks <html> anew.
+const events = [changed, 'pageshow', 'storage']
+
 function subscribe(notify: () => void) {
-  window.addEventListener(changed, notify)
-  return () => window.removeEventListener(changed, notify)
+  for (const event of events) window.addEventListener(event, notify)
+  return () => {
+    for (const event of events) window.removeEventListener(event, notify)
+  }
 }
 
 /** A remembered choice, shared by every switch of its kind on the page. */

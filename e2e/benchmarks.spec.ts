@@ -76,6 +76,30 @@ test.describe('benchmarks', () => {
     expect(await response.text()).toBe(readFileSync('bench/results/errors.csv', 'utf8'))
   })
 
+  test('a run that can not go on says so and why, and can be tried again', async ({ page }) => {
+    // A worker takes what it may do from the answer that its script came with: here no WebAssembly.
+    await page.route('**/*.js', async (route) => {
+      const response = await route.fetch()
+      const headers = { ...response.headers(), 'content-security-policy': "script-src 'self'" }
+      await route.fulfill({ response, headers })
+    })
+    await page.goto('/benchmarks')
+    await page.getByRole('button', { name: 'Run on this device' }).click()
+    const said = page.getByRole('status').filter({ hasText: 'It stopped.' })
+    await expect(said).toContainText('WebAssembly', { timeout: 150_000 })
+    await expect(page.getByRole('button', { name: 'Run again' })).toBeVisible()
+
+    await page.evaluate(() => {
+      window.Worker = class {
+        constructor() {
+          throw new Error('no workers here')
+        }
+      } as unknown as typeof Worker
+    })
+    await page.getByRole('button', { name: 'Run again' }).click()
+    await expect(said).toContainText('no workers here')
+  })
+
   test('a visitor can run it, stop it and run it again', async ({ page }) => {
     await page.goto('/benchmarks')
     await page.getByRole('button', { name: 'Run on this device' }).click()

@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, type Response } from '@playwright/test'
-import { test } from './alive'
+import { alive, test } from './alive'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
 const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
@@ -248,6 +248,33 @@ test('the package manager and the way to install are remembered on every page', 
   await expect(page.locator('#install-cli')).toBeHidden()
 })
 
+test('what another tab saves is applied here too, and what was saved while this page was away', async ({
+  page,
+  context,
+}) => {
+  await page.emulateMedia({ colorScheme: 'light' })
+  await page.goto('/')
+  const other = await context.newPage()
+  await other.emulateMedia({ colorScheme: 'light' })
+  await other.goto('/docs/setup')
+  await alive(other)
+  await other.getByRole('button', { name: 'Switch between light and dark' }).click()
+  await expect(page.locator('html')).toHaveClass(/dark/)
+  await other.getByRole('tab', { name: 'yarn' }).first().click()
+  await expect(page.getByText('yarn dlx shadcn@latest add')).toBeVisible()
+  await expect(page.getByRole('tab', { name: 'yarn' })).toHaveAttribute('aria-selected', 'true')
+
+  // The browser of the tests keeps no page to go back to.
+  await page.evaluate(() => {
+    localStorage.setItem('theme', 'light')
+    localStorage.setItem('package-manager', 'bun')
+    window.dispatchEvent(new PageTransitionEvent('pageshow', { persisted: true }))
+  })
+  await expect(page.locator('html')).not.toHaveClass(/dark/)
+  await expect(page.getByText('bunx --bun shadcn@latest add')).toBeVisible()
+  await expect(page.getByRole('tab', { name: 'bun' })).toHaveAttribute('aria-selected', 'true')
+})
+
 test('tabs are one stop for the keyboard, and arrows move between them', async ({ page }) => {
   await page.goto('/docs/gravity-stack')
   const preview = page.getByRole('tablist', { name: 'gravity-stack-demo' })
@@ -301,8 +328,53 @@ test.describe('with a clipboard', () => {
 test('the whole source unfolds in the page', async ({ page }) => {
   await page.goto('/docs/gravity-stack')
   await page.getByRole('tab', { name: 'Manual' }).click()
+  const manual = page.locator('#install-manual')
+  await page.getByRole('button', { name: /Show all/ }).focus()
+  const scrolled = await page.evaluate(() => scrollY)
+  await page.keyboard.press('Enter')
+  await expect(manual).toContainText('export interface GravityStackProps')
+  await expect(page.getByRole('region', { name: 'components/ui/gravity-stack.tsx' })).toBeFocused()
+  expect(await page.evaluate(() => scrollY)).toBe(scrolled)
+  await expect(manual.getByRole('link', { name: 'Plain text' })).toBeVisible()
+})
+
+test('the whole source is asked for once, and again after it could not be fetched', async ({ page }) => {
+  let asked = 0
+  let answer = () => {}
+  await page.route('**/gravity-stack.html.txt', async (route) => {
+    asked++
+    await new Promise<void>((resolve) => {
+      answer = resolve
+    })
+    await (asked > 1 ? route.continue() : route.abort())
+  })
+  await page.goto('/docs/gravity-stack')
+  await page.getByRole('tab', { name: 'Manual' }).click()
   await page.getByRole('button', { name: /Show all/ }).click()
+  await page.getByRole('button', { name: 'Fetching…' }).click()
+  await expect.poll(() => asked).toBe(1)
+  answer()
+  await expect(page.locator('#install-manual').getByRole('alert')).toContainText('could not be fetched')
+  await page.getByRole('button', { name: /Show all/ }).click()
+  await expect.poll(() => asked).toBe(2)
+  answer()
   await expect(page.locator('#install-manual')).toContainText('export interface GravityStackProps')
+  await expect(page.locator('#install-manual').getByRole('alert')).toHaveCount(0)
+})
+
+test('each button has the words that it shows in its name', async ({ page }) => {
+  for (const path of pages) {
+    await page.goto(path)
+    const others = await page.locator('button[aria-label]').evaluateAll((buttons) =>
+      buttons
+        .map((button) => ({
+          name: button.getAttribute('aria-label')!.toLowerCase(),
+          words: button.textContent!.toLowerCase(),
+        }))
+        .filter(({ name, words }) => !name.includes(words.trim())),
+    )
+    expect(others, path).toEqual([])
+  }
 })
 
 test('a demo below the fold waits to be seen, then falls and comes to rest', async ({ page }) => {
@@ -311,6 +383,25 @@ test('a demo below the fold waits to be seen, then falls and comes to rest', asy
   const stages = page.locator('[data-slot=gravity-stack]')
   await expect(stages.nth(0)).toHaveAttribute('data-state', 'resting')
   await expect(stages.nth(2)).toHaveAttribute('data-state', /static|waiting/)
+  await stages.nth(2).scrollIntoViewIfNeeded()
+  await expect(stages.nth(2)).toHaveAttribute('data-state', 'resting')
+})
+
+test('a demo whose script did not come is tried again when it is seen again', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 700 })
+  await page.goto('/docs/gravity-stack')
+  const stages = page.locator('[data-slot=gravity-stack]')
+  await expect(stages.nth(0)).toHaveAttribute('data-state', 'resting')
+  let refused = 0
+  await page.route('**/*.js', (route) => {
+    refused++
+    return route.abort()
+  })
+  await stages.nth(2).scrollIntoViewIfNeeded()
+  await expect.poll(() => refused).toBeGreaterThan(0)
+  await page.unroute('**/*.js')
+  await page.evaluate(() => scrollTo(0, 0))
+  await expect(stages.nth(0)).toBeInViewport()
   await stages.nth(2).scrollIntoViewIfNeeded()
   await expect(stages.nth(2)).toHaveAttribute('data-state', 'resting')
 })
@@ -483,6 +574,55 @@ test.describe('playground', () => {
     await expect(page.getByLabel('Shape')).toHaveValue('pills')
   })
 
+  test('a browser that refuses a new address does no harm', async ({ page }) => {
+    const errors: string[] = []
+    page.on('pageerror', (error) => errors.push(error.message))
+    await page.goto('/playground')
+    await page.evaluate(() => {
+      Object.assign(window, { refused: 0 })
+      const { replaceState } = history
+      history.replaceState = (...args) => {
+        if (!String(args[2]).includes('gravity=')) return replaceState.apply(history, args)
+        Object.assign(window, { refused: (window as unknown as { refused: number }).refused + 1 })
+        throw new DOMException('too often', 'SecurityError')
+      }
+    })
+    await page.getByLabel('gravity').focus()
+    for (let n = 0; n < 20; n++) await page.keyboard.press('ArrowRight')
+    const refused = () => page.evaluate(() => (window as unknown as { refused: number }).refused)
+    await expect.poll(refused).toBeGreaterThan(0)
+    expect(await refused()).toBeLessThan(20)
+    expect(errors).toEqual([])
+  })
+
+  test('the overlay is drawn anew in the colours of another theme', async ({ page }) => {
+    await page.emulateMedia({ colorScheme: 'light' })
+    await page.goto('/playground?count=2')
+    await page.getByRole('button', { name: 'Overlay' }).click()
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+    const drawn = () =>
+      page.locator(`${stage} canvas`).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+    const light = await drawn()
+    await page.emulateMedia({ colorScheme: 'dark' })
+    await expect.poll(async () => (await drawn()) === light).toBe(false)
+    await page.emulateMedia({ colorScheme: 'light' })
+    await expect.poll(async () => (await drawn()) === light).toBe(true)
+  })
+
+  test('with reduced motion nothing falls before a press on Play, also after Reset', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.goto('/playground?count=3')
+    const words = page.getByText('Motion is off, as your system asks')
+    await expect(words).toBeVisible()
+    await page.getByRole('button', { name: 'Play' }).click()
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+    await expect(words).toBeHidden()
+    await page.getByRole('button', { name: 'Reset' }).click()
+    await expect(words).toBeVisible()
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'paused')
+    await expect(page.getByRole('button', { name: 'Play' })).toBeVisible()
+  })
+
   test('an address that makes no sense does no harm', async ({ page }) => {
     await page.goto('/playground?count=1e9&gravity=NaN&shape=star&words=%2C%2C&bounce=-3')
     await expect(page.locator(`${stage} [data-chip]`)).toHaveCount(60)
@@ -565,6 +705,78 @@ test.describe('playground', () => {
     await page.mouse.up()
     await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   })
+})
+
+test.describe('playground under a finger', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 700 } })
+
+  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
+    page,
+  }) => {
+    await page.goto('/playground?count=1')
+    const stage = page.locator('[data-slot=playground-stage]')
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+    await stage.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const chip = stage.locator('[data-chip]')
+    const top = async () => (await chip.boundingBox())!.y - (await stage.boundingBox())!.y
+    const scrolled = () => page.evaluate(() => scrollY)
+    const session = await page.context().newCDPSession(page)
+    const swipe = async (rest: number) => {
+      const { x, y, width, height } = (await chip.boundingBox())!
+      const at = (up: number) => [{ x: x + width / 2, y: y + height / 2 - up }]
+      await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) })
+      await page.waitForTimeout(rest)
+      for (let up = 10; up <= 150; up += 10) {
+        await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(up) })
+        await page.waitForTimeout(16)
+      }
+      return () => session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    }
+    const [lying, before] = [await top(), await scrolled()]
+
+    const drop = await swipe(400)
+    await expect.poll(top).toBeLessThan(lying - 80)
+    expect(await scrolled()).toBe(before)
+    await drop()
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+
+    const lies = await top()
+    const lift = await swipe(0)
+    await expect.poll(scrolled).toBeGreaterThan(before + 60)
+    expect(await top()).toBeCloseTo(lies, 0)
+    await lift()
+  })
+})
+
+test('another scene or seed starts at its beginning, and leaves the focus where it is', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/docs/stability')
+  for (const figure of await page.locator('[data-slot=figure]').all()) {
+    await figure.scrollIntoViewIfNeeded()
+    await expect(figure).not.toContainText('…')
+    const time = figure.getByLabel('Time', { exact: true })
+    const toEnd = async () => {
+      await time.press('End')
+      await expect(time).not.toHaveValue('0')
+    }
+    await toEnd()
+    const seed = figure.getByRole('button', { name: /^Seed/ })
+    await seed.press('Enter')
+    await expect(seed).toHaveText(/^Seed 2/)
+    await expect(seed).toBeFocused()
+    await expect(time).toHaveValue('0')
+    await toEnd()
+    const scene = figure.getByRole('combobox', { name: 'Scene' })
+    const before = await scene.inputValue()
+    await scene.press('ArrowUp')
+    await expect(scene).not.toHaveValue(before)
+    await expect(scene).toBeFocused()
+    await expect(time).toHaveValue('0')
+    await page.emulateMedia({ reducedMotion: 'no-preference' })
+    await scene.press('ArrowDown')
+    await expect(time).not.toHaveValue('0')
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+  }
 })
 
 test.describe('how it works', () => {

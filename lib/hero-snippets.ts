@@ -1,3 +1,5 @@
+import { elevationNote } from './playground'
+
 /** What the buttons of the home page do, as the code that does it. */
 export const heroEffects = ['drop', 'shake', 'tinted', 'neutral', 'heavier', 'bouncier'] as const
 
@@ -22,7 +24,7 @@ export const heroSnippets: Record<HeroEffect, string> = {
   drop: withActions('drop', 'Drop again'),
   shake: withActions('shake', 'Shake'),
   tinted: withChip('rounded-full bg-amber-300 px-5 py-2 text-amber-950'),
-  neutral: withChip('rounded-full bg-elevation-3 px-5 py-2 shadow-raised-3'),
+  neutral: elevationNote + withChip('rounded-full bg-elevation-3 px-5 py-2 shadow-raised-3'),
   heavier: withProp('gravity={6000}'),
   bouncier: withProp('bounce={0.7}'),
 }

@@ -2,13 +2,11 @@ import 'server-only'
 import { createHighlighter } from 'shiki'
 import { codeTheme } from './code-theme'
 
-const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx', 'bash', 'json', 'css'] })
+const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx'] })
 
-export type CodeLanguage = 'tsx' | 'bash' | 'json' | 'css'
-
-/** Code in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
-export async function highlight(code: string, lang: CodeLanguage = 'tsx'): Promise<string> {
-  const html = (await highlighter).codeToHtml(code.trimEnd(), { lang, theme: codeTheme })
+/** TSX in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
+export async function highlight(code: string): Promise<string> {
+  const html = (await highlighter).codeToHtml(code.trimEnd(), { lang: 'tsx', theme: codeTheme })
   return html
     .replace(/<pre [^>]*>/, '<pre tabindex="0">')
     .replace(/<span class="line">(.*?)<\/span>$/gm, '$1')

@@ -54,7 +54,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
 }
 
 /** A page of the docs as plain Markdown. Throws on a component that `parts` doesn't know. */
-export function docMarkdown(doc: Doc): string {
+function docMarkdown(doc: Doc): string {
   const blocks = doc.body.raw.split(/(^```[\s\S]*?^```$)/m).map((block) => {
     if (block.startsWith('```')) return block
     return block

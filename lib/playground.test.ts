@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { chipsOf, defaults, fromQuery, toQuery } from './playground'
+import { chipsOf, codeOf, defaults, elevationNote, fromQuery, toQuery } from './playground'
 
 test('an untouched playground has a clean address', () => {
   expect(toQuery(defaults)).toBe('')
@@ -28,4 +28,15 @@ test('numbers out of range are brought into it, nonsense is left at its default'
 
 test('no words make chips all the same', () => {
   expect(chipsOf({ ...defaults, words: ' , ,', count: 2 }).map(({ word }) => word)).toEqual(['chip', 'chip'])
+})
+
+test('a word may go over lines; in the code it stands on one', () => {
+  expect(codeOf({ ...defaults, words: 'one\n  two,\tthree\r\n' })).toContain(
+    "const words = ['one two', 'three']\n",
+  )
+})
+
+test('code that needs the elevation tokens says so first', () => {
+  expect(codeOf({ ...defaults, look: 'neutral' }).startsWith(elevationNote)).toBe(true)
+  expect(codeOf(defaults)).toMatch(/^import /)
 })

@@ -71,12 +71,15 @@ const looksOf = {
   ink: ['bg-neutral-900 text-white dark:bg-neutral-100 dark:text-neutral-900'],
 }
 
+/** Stands before code that a project without these tokens would show without surfaces. */
+export const elevationNote = '// The surfaces are tokens of the registry item "elevation".\n'
+
 const kinds = ['pills', 'cards', 'discs', 'boxes'] as const
 
 function listOf(words: string): string[] {
   const list = words
     .split(',')
-    .map((word) => word.trim())
+    .map((word) => word.trim().replace(/\s+/g, ' '))
     .filter(Boolean)
   return list.length > 0 ? list : ['chip']
 }
@@ -118,7 +121,7 @@ export function codeOf(settings: Settings): string {
   const className = `text-sm font-medium ${one('forms', forms)} ${one('colours', colours)}`
   const attribute = className.includes('${') ? `{\`${className}\`}` : `"${className}"`
 
-  return `import { GravityStack } from '@/components/ui/gravity-stack'
+  return `${settings.look === 'neutral' ? elevationNote : ''}import { GravityStack } from '@/components/ui/gravity-stack'
 
 ${declarations.join('\n\n')}
 

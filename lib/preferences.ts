@@ -9,16 +9,25 @@ export const choices = {
 
 export type Choice = keyof typeof choices
 
-/** Runs in <head> before the first paint. Storage throws where cookies are blocked. */
+/**
+ * Runs in <head> before the first paint, and again when a page comes back as it was left or another tab has saved
+ * something. Storage throws where cookies are blocked.
+ */
 export const preferencesScript = `(() => {
   const root = document.documentElement
   const saved = (key) => { try { return localStorage.getItem(key) } catch { return null } }
-  const theme = saved('theme') ?? (matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light')
-  root.classList.toggle('dark', theme === 'dark')
-  for (const [key, options] of Object.entries(${JSON.stringify(choices)})) {
-    const choice = saved(key)
-    if (options.includes(choice)) root.setAttribute('data-' + key, choice)
+  const apply = () => {
+    const theme = saved('theme')
+    if (theme) root.classList.toggle('dark', theme === 'dark')
+    for (const [key, options] of Object.entries(${JSON.stringify(choices)})) {
+      const choice = saved(key)
+      if (options.includes(choice)) root.setAttribute('data-' + key, choice)
+    }
   }
+  root.classList.toggle('dark', matchMedia('(prefers-color-scheme: dark)').matches)
+  apply()
+  addEventListener('pageshow', (event) => event.persisted && apply())
+  addEventListener('storage', apply)
 })()`
 
 export function save(key: string, value: string) {

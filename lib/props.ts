@@ -2,7 +2,7 @@ import 'server-only'
 import { parse } from 'react-docgen'
 import { componentFile, componentSource } from './source'
 
-export type Prop = { name: string; type: string; fallback?: string; description: string }
+type Prop = { name: string; type: string; fallback?: string; description: string }
 
 /**
  * The rows of the props table, from the JSDoc of `GravityStackProps`. Throws, and so fails the build, when a prop has

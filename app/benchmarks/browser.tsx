@@ -8,7 +8,7 @@ import { Table } from './table'
 const file = join(process.cwd(), 'bench/results/browser.json')
 
 /** What `npm run bench:browser` has measured last, if it has ever run. */
-export const browserResults: BrowserResults | undefined = existsSync(file)
+const browserResults: BrowserResults | undefined = existsSync(file)
   ? JSON.parse(readFileSync(file, 'utf8'))
   : undefined
 

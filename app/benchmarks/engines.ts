@@ -1,5 +1,5 @@
 /** How each engine looks in every plot: a colour for the eye, a shape for those who see colours otherwise. */
-export type Look = {
+type Look = {
   title: string
   shape: 'circle' | 'square' | 'triangle' | 'diamond' | 'cross'
   hollow?: boolean

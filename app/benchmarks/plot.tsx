@@ -2,7 +2,7 @@ import { scaleLog } from 'd3-scale'
 import { useId } from 'react'
 import { engineOrder, figure, looks } from './engines'
 
-export type PlotPoint = { x: number; y: number }
+type PlotPoint = { x: number; y: number }
 export type PlotLine = { engine: string; points: PlotPoint[] }
 
 const width = 380

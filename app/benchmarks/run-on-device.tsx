@@ -12,11 +12,17 @@ export function RunOnDevice() {
   const worker = useRef<Worker | null>(null)
   const [state, setState] = useState<'idle' | 'running' | 'done' | 'failed'>('idle')
   const [progress, setProgress] = useState<Progress | null>(null)
+  const [why, setWhy] = useState('')
   const [points, setPoints] = useState<DevicePoint[]>([])
 
   const stop = () => {
     worker.current?.terminate()
     worker.current = null
+  }
+  const fail = (reason: string) => {
+    stop()
+    setWhy(reason)
+    setState('failed')
   }
   useEffect(() => () => worker.current?.terminate(), [])
 
@@ -25,20 +31,23 @@ export function RunOnDevice() {
     setPoints([])
     setProgress(null)
     setState('running')
-    const started = new Worker(new URL('./run-worker.ts', import.meta.url), { type: 'module' })
+    let started: Worker
+    try {
+      started = new Worker(new URL('./run-worker.ts', import.meta.url), { type: 'module' })
+    } catch (error) {
+      return fail(String(error))
+    }
     worker.current = started
     started.onmessage = ({ data }: MessageEvent<DeviceNews>) => {
       if (data.kind === 'progress') setProgress(data)
       if (data.kind === 'point') setPoints((before) => [...before, data.point])
+      if (data.kind === 'failed') fail(data.why)
       if (data.kind === 'done') {
         setState('done')
         stop()
       }
     }
-    started.onerror = () => {
-      setState('failed')
-      stop()
-    }
+    started.onerror = ({ message }) => fail(message || 'the worker could not be loaded')
   }
 
   const cancel = () => {
@@ -71,7 +80,7 @@ export function RunOnDevice() {
         )}
         <p role="status" className="text-muted-foreground text-sm">
           {state === 'done' && 'Done.'}
-          {state === 'failed' && 'The worker could not be started in this browser.'}
+          {state === 'failed' && `It stopped. ${why}`}
         </p>
       </div>
       {points.length > 0 && (

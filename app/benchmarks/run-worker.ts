@@ -12,6 +12,7 @@ export type DeviceNews =
   | { kind: 'progress'; done: number; total: number; engine: string }
   | { kind: 'point'; point: DevicePoint }
   | { kind: 'done' }
+  | { kind: 'failed'; why: string }
 
 const post = (news: DeviceNews) => postMessage(news)
 
@@ -62,4 +63,4 @@ async function run() {
   post({ kind: 'done' })
 }
 
-run()
+run().catch((error) => post({ kind: 'failed', why: String(error) }))

@@ -2,16 +2,16 @@
 
 import { type ReactNode, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { flushSync } from 'react-dom'
+import { stillMotion } from '@/lib/still-motion'
 import { type Palette, paletteOf } from './draw'
-
-const stillMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches
 
 /**
  * A picture with time to scrub: `draw` paints frame `at` into a canvas of `width` × `height` px, as wide as the column.
- * It plays once when seen, unless the reader prefers reduced motion.
+ * It plays once when seen, unless the reader prefers reduced motion, and again from its start when it gets another `film`.
  */
 export function Figure({
   label,
+  film,
   width,
   height,
   frames,
@@ -21,6 +21,7 @@ export function Figure({
   speed = 1,
 }: {
   label: string
+  film?: string
   width: number
   height: number
   frames: number
@@ -36,29 +37,40 @@ export function Figure({
   const [near, setNear] = useState(false)
   const last = frames - 1
   const shown = Math.min(at, last)
+  const [filmBefore, setFilmBefore] = useState(film)
+  const paint = useRef(() => {})
+
+  if (film !== filmBefore) {
+    setFilmBefore(film)
+    setAt(0)
+    setPlaying(!stillMotion())
+  }
 
   useLayoutEffect(() => {
-    const element = canvas.current!
-    if (!near) return
-    const paint = () => {
+    paint.current = () => {
+      const element = canvas.current!
       const scale = (element.clientWidth / width) * devicePixelRatio
-      if (scale === 0) return
+      if (!near || scale === 0) return
       element.width = Math.round(width * scale)
       element.height = Math.round(height * scale)
       const context = element.getContext('2d')!
       context.scale(scale, scale)
       draw(context, shown, paletteOf(element))
     }
-    paint()
-    const resize = new ResizeObserver(paint)
-    resize.observe(element)
-    const theme = new MutationObserver(paint)
+    paint.current()
+  })
+
+  useEffect(() => {
+    const repaint = () => paint.current()
+    const resize = new ResizeObserver(repaint)
+    resize.observe(canvas.current!)
+    const theme = new MutationObserver(repaint)
     theme.observe(document.documentElement, { attributeFilter: ['class'] })
     return () => {
       resize.disconnect()
       theme.disconnect()
     }
-  })
+  }, [])
 
   // The solver runs for a figure when the reader comes near it, not while the page loads.
   useEffect(() => {

@@ -2,9 +2,10 @@
 
 import { useId, useState } from 'react'
 import { playHardScene, type Watch } from '@/bench/hard-run'
-import { type HardFigures, hardScenes, hardUnits } from '@/scenes/hard'
+import { type HardFigures, hardScenes } from '@/scenes/hard'
 import { chipColours, drawChip, drawLine } from './draw'
 import { Figure } from './figure'
+import { named } from './named'
 import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
@@ -24,9 +25,8 @@ export function HardScenesFigure() {
 
   return (
     <Figure
-      // Another scene starts at its beginning.
-      key={`${name} ${seed}`}
       label={`${scene.title}, computed in this browser.`}
+      film={`${name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60)}
@@ -45,15 +45,17 @@ export function HardScenesFigure() {
         drawLine(context, [width, 0], [width, height], palette.muted)
       }}
       readout={() =>
-        Object.entries(scene.bounds).map(([key, bound]) => (
-          <span key={key}>
-            {key}{' '}
-            <strong className="font-medium text-foreground">
-              {shortFigure(run().figures[key as keyof HardFigures], hardUnits[key as keyof HardFigures])}
-            </strong>
-            , bound {bound}
-          </span>
-        ))
+        (Object.entries(scene.bounds) as [keyof HardFigures, number][]).map(([key, bound]) => {
+          const { measure, unit } = named(key)
+          const value = run().figures[key]
+          return (
+            <span key={key}>
+              {measure} <strong className="font-medium text-foreground">{shortFigure(value, unit)}</strong>,
+              bound {shortFigure(bound)}
+              {!(value <= bound) && <strong className="ml-2 font-medium text-foreground">missed</strong>}
+            </span>
+          )
+        })
       }
     >
       <div className="flex min-w-0 flex-1 basis-64 flex-col gap-1.5">

@@ -6,7 +6,7 @@ import type { World } from '@/registry/gravity-stack/world'
 // Looks into a world for those who draw what the solver thinks: its contacts, as it holds them after a step.
 
 /** Where two chips touch, or a chip and the stage. */
-export type Touch = {
+type Touch = {
   /** px of the stage. */
   x: number
   y: number
@@ -15,7 +15,7 @@ export type Touch = {
   forceY: number
 }
 
-export type Inspection = {
+type Inspection = {
   touches: Touch[]
   /** By id: the lowest id among all that touch each other, at any remove. */
   islands: Map<number, number>

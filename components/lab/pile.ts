@@ -2,7 +2,7 @@ import { releasePose, releaseTime } from '@/registry/gravity-stack/drop'
 import { createWorld } from '@/registry/gravity-stack/world'
 import { cornerRadius, type Shape } from '@/scenes/exact-distance'
 
-export type PileOptions = {
+type PileOptions = {
   width: number
   height: number
   gravity: number
@@ -32,7 +32,8 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       const { x, y } = world.read(id)
       return { x, y, reach: Math.hypot(shapes[other].width, shapes[other].height) / 2 }
     })
-    const pose = releasePose(turn(chip), shape.width, shape.height, options.width, options.gravity, above)
+    const { walls, gravity } = world.scene
+    const pose = releasePose(turn(chip), shape.width, shape.height, walls.width, gravity, above)
     ids.push(world.add({ ...shape, ...pose }))
   }
 

@@ -12,7 +12,7 @@ export type State = {
 }
 
 /** A run of the solver to be scrubbed in both directions: the state of every chip, frame by frame from the start. */
-export type Recording = {
+type Recording = {
   chips: Chip[]
   frames: State[][]
   /** Velocity sweeps that the whole run took. */

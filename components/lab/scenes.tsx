@@ -22,9 +22,8 @@ export function ScenesFigure() {
 
   return (
     <Figure
-      // Another scene starts at its beginning.
-      key={`${name} ${seed}`}
       label={`The scene “${scene.title}”, computed in this browser.`}
+      film={`${name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60) + 1}
@@ -55,7 +54,10 @@ export function ScenesFigure() {
         <select
           id={`${id}-scene`}
           value={name}
-          onChange={(event) => setName(event.target.value)}
+          onChange={(event) => {
+            setName(event.target.value)
+            setSeed(1)
+          }}
           className="w-full rounded-md border bg-background px-3 py-2"
         >
           {shown.map((candidate) => (

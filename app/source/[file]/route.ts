@@ -1,10 +1,14 @@
 import { highlight } from '@/lib/highlight'
-import { componentSource } from '@/lib/source'
+import { componentFile, componentSource } from '@/lib/source'
 
 // The ending is .txt for all: any static host serves that as text and no browser runs it.
 const files: Record<string, () => string | Promise<string>> = {
   'gravity-stack.tsx.txt': componentSource,
-  'gravity-stack.html.txt': () => highlight(componentSource()),
+  'gravity-stack.html.txt': async () =>
+    (await highlight(componentSource())).replace(
+      '<pre ',
+      `<pre role="region" aria-label="${componentFile}" `,
+    ),
 }
 
 export const dynamic = 'force-static'
