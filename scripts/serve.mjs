@@ -50,8 +50,13 @@ export function serve(port) {
 }
 
 if (isMain(import.meta.url)) {
-  const port = Number(process.env.PORT || new URL(siteUrl).port || 4000)
-  await serve(port)
+  // Pages and registry name their own address: served at another port, every copied command would be dead.
+  const port = Number(new URL(siteUrl).port || 4000)
+  await serve(port).catch((error) => {
+    if (error.code !== 'EADDRINUSE') throw error
+    console.error(`Port ${port} is taken. Another one: SITE_URL=http://localhost:${port + 1} npm run site`)
+    process.exit(1)
+  })
   console.log(`Site:     http://localhost:${port}`)
   console.log(`Registry: http://localhost:${port}/r/gravity-stack.json`)
 }

@@ -1,6 +1,7 @@
 // Runs every check and test there is, on a machine that has nothing but Node, and goes on after a failure.
 // The last line counts them: each test of Vitest and Playwright is one, and each check is one.
 import { mkdtemp, readFile } from 'node:fs/promises'
+import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ready } from './ready.mjs'
@@ -55,6 +56,19 @@ const tests = (name, command, args, report, count, env) =>
 
 await step('Dependencies are installed', async () => {
   await ready()
+  return verdict(0)
+})
+await step('The ports of the browser tests are free', async () => {
+  const { siteUrl } = await import('../site.config.mjs')
+  for (const port of [Number(new URL(siteUrl).port), 4310]) {
+    const free = await new Promise((resolve) => {
+      const server = createServer().once('error', () => resolve(false))
+      server.listen(port, () => server.close(() => resolve(true)))
+    })
+    if (free) continue
+    console.error(`Port ${port} is taken: stop what listens there, such as npm run site.`)
+    return verdict(1)
+  }
   return verdict(0)
 })
 await step('A browser is here', async () => {
