@@ -1,6 +1,6 @@
 import { INV_MASS, STATE, X, Y } from '@/registry/gravity-stack/body'
 import { STEP } from '@/registry/gravity-stack/constants'
-import { CONTACT, DRAG, LOAD, NB, NX, NY, POINTS, RATE, SECOND, TB } from '@/registry/gravity-stack/contacts'
+import { CONTACT, DRAG, LOAD, NB, NX, NY, POINTS, SECOND, TB } from '@/registry/gravity-stack/contacts'
 import type { World } from '@/registry/gravity-stack/world'
 
 // Looks into a world for those who draw what the solver thinks: its contacts, as it holds them after a step.
@@ -48,7 +48,7 @@ export function inspect({ scene }: World): Inspection {
       islands.set(Math.max(i, j), Math.min(i, j))
     }
     const [nx, ny] = [data[k + NX], data[k + NY]]
-    const rate = data[k + RATE] / STEP
+    const rate = scene.substeps / STEP
     const whole = data[k + LOAD] + data[k + LOAD + SECOND]
     for (let point = 0; point < data[k + POINTS]; point++) {
       const record = k + point * SECOND

@@ -227,8 +227,6 @@ const SHAPE = 6
 class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
   count = 1
-  /** Bodies that are there. */
-  population = 0
   state: Float64Array = new Float64Array(STATE)
   motion: Float64Array = new Float64Array(MOTION)
   shape: Float64Array = new Float64Array(SHAPE)
@@ -236,6 +234,8 @@ class Bodies {
   before: Float64Array = new Float64Array(3)
   /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
   rest: Float64Array = new Float64Array(4)
+  /** Mass a px². */
+  density: Float64Array = new Float64Array(1)
   /** 1 while the slot holds a body. */
   alive: Uint8Array = new Uint8Array(1)
   asleep: Uint8Array = new Uint8Array(1)
@@ -252,10 +252,6 @@ class Bodies {
   undrawn: Uint8Array = new Uint8Array(1)
   /** Steps in which partings have left the island of the body in a jam, since it last woke. */
   jams: Int32Array = new Int32Array(1)
-
-  constructor() {
-    this.motion[COS] = 1
-  }
 }
 
 /** Copies `from` into a new array of `length`. */
@@ -265,22 +261,11 @@ function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T, length
   return to
 }
 
-function reserveBodies(bodies: Bodies, slots: number): void {
-  if (bodies.alive.length >= slots) return
-  const capacity = Math.max(slots, bodies.alive.length * 2, 32)
-  bodies.state = grown(bodies.state, capacity * STATE)
-  bodies.motion = grown(bodies.motion, capacity * MOTION)
-  bodies.shape = grown(bodies.shape, capacity * SHAPE)
-  bodies.before = grown(bodies.before, capacity * 3)
-  bodies.rest = grown(bodies.rest, capacity * 4)
-  bodies.alive = grown(bodies.alive, capacity)
-  bodies.asleep = grown(bodies.asleep, capacity)
-  bodies.stirred = grown(bodies.stirred, capacity)
-  bodies.moved = grown(bodies.moved, capacity)
-  bodies.awake = grown(bodies.awake, capacity)
-  bodies.held = grown(bodies.held, capacity)
-  bodies.undrawn = grown(bodies.undrawn, capacity)
-  bodies.jams = grown(bodies.jams, capacity)
+/** Makes every array of `owner` so many times as long. */
+function grow(owner: object, times: number): void {
+  for (const [name, list] of Object.entries(owner))
+    if (ArrayBuffer.isView(list))
+      Reflect.set(owner, name, grown(list as Int32Array, (list as Int32Array).length * times))
 }
 
 /**
@@ -441,7 +426,6 @@ function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead
 
 /** What air does to a body in a time `h`: v ← fade·v + g·reach, x ← x + reach·v + g·fall. Exact for any h. */
 interface Air {
-  h: number
   fade: number
   reach: number
   fall: number
@@ -460,7 +444,7 @@ function air(damping: number, h: number): Air {
     fall += term / ((k + 1) * (k + 2))
     term *= z / (k + 1)
   }
-  return { h, fade, reach: reach * h, fall: fall * h * h }
+  return { fade, reach: reach * h, fall: fall * h * h }
 }
 
 /** The largest damping (1/s) for which `air` is exact at a whole step. */
@@ -1018,10 +1002,9 @@ interface Hold {
   x: number
   y: number
   samples: { x: number; y: number; seconds: number }[]
-  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  /** Impulse of a sub-step. */
   impulseX: number
   impulseY: number
-  rate: number
   /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
   rx: number
   ry: number
@@ -1050,7 +1033,6 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
     samples: [],
     impulseX: 0,
     impulseY: 0,
-    rate: 0,
     rx: 0,
     ry: 0,
     k11: 0,
@@ -1117,15 +1099,10 @@ function pull(bodies: Bodies, hold: Hold, gravity: number): number {
   return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
 }
 
-/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
-function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+/** The impulse of the last step, added to what the body gets as warm start. */
+function carryHold(bodies: Bodies, hold: Hold): void {
   const m = hold.body * MOTION
   const i = hold.body * STATE
-  if (hold.rate !== substeps) {
-    hold.impulseX *= hold.rate / substeps
-    hold.impulseY *= hold.rate / substeps
-    hold.rate = substeps
-  }
   bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
   bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
   bodies.motion[m + PUSH_SPIN] +=
@@ -1225,8 +1202,6 @@ const FROM_X = 1
 const FROM_Y = 2
 const FROM_A = 3
 const FROM_B = 4
-/** Sub-steps a step when the impulses were stored. */
-const RATE = 5
 const NX = 6
 const NY = 7
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
@@ -1265,23 +1240,24 @@ const HIT_T = 34
 const CHANGE = 35
 const CONTACT = 40
 
+/** Room for four contacts a body at first: a pile has three or four. */
 class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
   count = 0
   free = -1
   /** Body A and body B of each slot; A is 0 for a wall, B is 0 for a free slot. */
-  pair: Int32Array = new Int32Array(0)
+  pair: Int32Array = new Int32Array(8)
   /** Features of both points. */
-  feature: Int32Array = new Int32Array(0)
+  feature: Int32Array = new Int32Array(8)
   /** 0 for two chips; 1 floor, 2 left wall, 3 right wall. */
-  wall: Uint8Array = new Uint8Array(0)
-  data: Float64Array = new Float64Array(0)
+  wall: Uint8Array = new Uint8Array(4)
+  data: Float64Array = new Float64Array(4 * CONTACT)
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
-  head: Int32Array = new Int32Array(0)
-  next: Int32Array = new Int32Array(0)
-  last: Int32Array = new Int32Array(0)
+  head: Int32Array = new Int32Array(1).fill(-1)
+  next: Int32Array = new Int32Array(8)
+  last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
-  mark: Int32Array = new Int32Array(0)
+  mark: Int32Array = new Int32Array(4)
   /** Pairs measured since the count was last set to 0. */
   measured = 0
   /** Rows visited by sweeps. */
@@ -1310,13 +1286,6 @@ class Scene {
   holds: Hold[] = []
 }
 
-function reserveHeads(contacts: Contacts, bodies: number): void {
-  const have = contacts.head.length
-  if (have >= bodies) return
-  contacts.head = grown(contacts.head, bodies)
-  contacts.head.fill(-1, have)
-}
-
 function link(contacts: Contacts, edge: number, body: number): void {
   const first = contacts.head[body]
   contacts.next[edge] = first
@@ -1339,16 +1308,7 @@ function addContact(contacts: Contacts, a: number, b: number, wall: number): num
   if (c >= 0) contacts.free = contacts.next[2 * c]
   else {
     c = contacts.count++
-    if (c >= contacts.wall.length) {
-      const capacity = Math.max(64, contacts.wall.length * 2)
-      contacts.pair = grown(contacts.pair, capacity * 2)
-      contacts.feature = grown(contacts.feature, capacity * 2)
-      contacts.wall = grown(contacts.wall, capacity)
-      contacts.data = grown(contacts.data, capacity * CONTACT)
-      contacts.next = grown(contacts.next, capacity * 2)
-      contacts.last = grown(contacts.last, capacity * 2)
-      contacts.mark = grown(contacts.mark, capacity)
-    }
+    if (c >= contacts.wall.length) grow(contacts, 2)
   }
   contacts.pair[2 * c] = a
   contacts.pair[2 * c + 1] = b
@@ -1573,31 +1533,22 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
  */
 class Pairs {
   /** Left, top, right, bottom of each body's enlarged box, px. */
-  box: Float64Array = new Float64Array(0)
+  box: Float64Array = new Float64Array(4)
   /** Bodies by the left edge of their box. */
-  order: Int32Array = new Int32Array(0)
+  order: Int32Array = new Int32Array(1)
   sorted = 0
   /** 1 for a body that left its box in this step. */
-  moved: Uint8Array = new Uint8Array(0)
+  moved: Uint8Array = new Uint8Array(1)
   /** Last body for which this one was marked as a partner. */
-  partner: Int32Array = new Int32Array(0)
+  partner: Int32Array = new Int32Array(1)
   /** Contact with each wall (floor, left, right) of each body, -1 without. */
-  wallContact: Int32Array = new Int32Array(0)
-}
-
-function reservePairs(pairs: Pairs, bodies: number): void {
-  const have = pairs.moved.length
-  if (have >= bodies) return
-  pairs.box = grown(pairs.box, bodies * 4)
-  pairs.order = grown(pairs.order, bodies)
-  pairs.moved = grown(pairs.moved, bodies)
-  pairs.partner = grown(pairs.partner, bodies)
-  pairs.wallContact = grown(pairs.wallContact, bodies * 3)
-  pairs.wallContact.fill(-1, have * 3)
+  wallContact: Int32Array = new Int32Array(3)
 }
 
 /** Makes body `i` known to the broad phase; its box is made in the next `updatePairs`. */
-function enterPairs(pairs: Pairs, i: number): void {
+function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
+  contacts.head[i] = -1
+  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
   pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
   pairs.order[pairs.sorted++] = i
 }
@@ -1607,7 +1558,6 @@ function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   for (let k = 0; k < pairs.sorted; k++) if (pairs.order[k] !== i) pairs.order[to++] = pairs.order[k]
   pairs.sorted = to
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
-  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
 /** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
@@ -1769,32 +1719,23 @@ function overlap(box: Float64Array, i: number, j: number): boolean {
  */
 class Impacts {
   /** Contacts of the cluster under way. */
-  list: Int32Array = new Int32Array(64)
+  list: Int32Array = new Int32Array(2)
   count = 0
   /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
-  bodies: Int32Array = new Int32Array(0)
+  bodies: Int32Array = new Int32Array(1)
   bodyCount = 0
-  before: Float64Array = new Float64Array(0)
-  when: Float64Array = new Float64Array(0)
+  before: Float64Array = new Float64Array(3)
+  when: Float64Array = new Float64Array(1)
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
   first = 0
-  since: Float64Array = new Float64Array(0)
+  since: Float64Array = new Float64Array(1)
   /** Number of the phase that last reached each body. */
-  mark: Int32Array = new Int32Array(0)
+  mark: Int32Array = new Int32Array(1)
   phase = 0
   sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
   passOn = 0.5
-}
-
-function reserveImpacts(impacts: Impacts, bodies: number): void {
-  if (impacts.mark.length >= bodies) return
-  impacts.bodies = grown(impacts.bodies, bodies)
-  impacts.before = grown(impacts.before, bodies * 3)
-  impacts.when = grown(impacts.when, bodies)
-  impacts.since = grown(impacts.since, bodies)
-  impacts.mark = grown(impacts.mark, bodies)
 }
 
 /** What `foresee` found: when contact `c` will hit (s from the start of the sub-step, its end if not), and how hard (px/s). */
@@ -2094,7 +2035,7 @@ function kick(
 ): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
   const { gravity, slow } = scene
-  const half = 0.5 * air.h
+  const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
   for (let a = from; a < to; a++) {
@@ -2624,41 +2565,25 @@ function straighten(
  * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
  */
 class Islands {
-  parent: Int32Array = new Int32Array(0)
+  parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
-  reach: Float64Array = new Float64Array(0)
-  /** Contacts that matter in this step. */
-  near: Int32Array = new Int32Array(0)
+  reach: Float64Array = new Float64Array(1)
+  /** Contacts that matter in this step. A pile has three or four a body, so that these hardly ever grow in the middle of it. */
+  near: Int32Array = new Int32Array(6)
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
   count = 0
-  bodies: Int32Array = new Int32Array(0)
-  bodyStart: Int32Array = new Int32Array(0)
-  contacts: Int32Array = new Int32Array(0)
+  bodies: Int32Array = new Int32Array(1)
+  bodyStart: Int32Array = new Int32Array(2)
+  contacts: Int32Array = new Int32Array(6)
   /** The same, only those that touch in the present sub-step. */
-  live: Int32Array = new Int32Array(0)
-  contactStart: Int32Array = new Int32Array(0)
+  live: Int32Array = new Int32Array(6)
+  contactStart: Int32Array = new Int32Array(2)
   /** Sleepers that something may be knocked into in this step. */
-  struck: Int32Array = new Int32Array(0)
+  struck: Int32Array = new Int32Array(1)
   struckCount = 0
   /** Number of the island by root. */
-  number: Int32Array = new Int32Array(0)
-}
-
-function reserveIslands(islands: Islands, bodies: number): void {
-  if (islands.parent.length >= bodies) return
-  islands.parent = grown(islands.parent, bodies)
-  islands.reach = grown(islands.reach, bodies)
-  islands.bodies = grown(islands.bodies, bodies)
-  islands.bodyStart = grown(islands.bodyStart, bodies + 1)
-  islands.contactStart = grown(islands.contactStart, bodies + 1)
-  islands.number = grown(islands.number, bodies)
-  islands.struck = grown(islands.struck, bodies)
-  // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
-  const room = Math.max(islands.near.length, bodies * 6)
-  islands.near = grown(islands.near, room)
-  islands.contacts = new Int32Array(room)
-  islands.live = new Int32Array(room)
+  number: Int32Array = new Int32Array(1)
 }
 
 /** Root of the island of body `i`. */
@@ -2690,7 +2615,8 @@ function findIslands(islands: Islands, scene: Scene): void {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
-  for (const hold of scene.holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
+  for (const hold of scene.holds)
+    reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
   islands.nearCount = 0
   islands.struckCount = 0
   gather(islands, scene, false)
@@ -2982,7 +2908,7 @@ function stepOnce(simulation: Simulation): void {
   }
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
   updatePairs(simulation, pairs)
-  if (bodies.awakeCount < bodies.population) wakeStruck(simulation)
+  if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
   findIslands(islands, simulation)
   while (islands.struckCount > 0) {
     for (let n = 0; n < islands.struckCount; n++) wake(simulation, islands.struck[n])
@@ -3151,7 +3077,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
 
 /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
 function warmStart(
-  { bodies, contacts, islands, substeps }: Simulation,
+  { bodies, contacts, islands }: Simulation,
   b0: number,
   b1: number,
   c0: number,
@@ -3171,18 +3097,9 @@ function warmStart(
     const c = islands.contacts[n]
     const k = c * CONTACT
     d[k + LAG] = 0
-    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
-      if (d[k + RATE] !== substeps) {
-        const scale = d[k + RATE] / substeps
-        d[k + LOAD] *= scale
-        d[k + SECOND + LOAD] *= scale
-        d[k + DRAG] *= scale
-      }
-      carry(bodies, contacts, c, 1)
-    }
-    d[k + RATE] = substeps
+    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) carry(bodies, contacts, c, 1)
   }
-  for (const hold of grabbed) carryHold(bodies, hold, substeps)
+  for (const hold of grabbed) carryHold(bodies, hold)
 }
 
 /** Whether the body that `hold` holds is in the island that starts at `b0`. */
@@ -3337,20 +3254,8 @@ function createWorld(options: WorldOptions) {
   scene.sleeps = options.sleep !== false
   const freeSlots: number[] = []
   const pose: Float64Array = new Float64Array(3)
-  let densities: Float64Array = new Float64Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
-
-  function reserve(slots: number): void {
-    reserveBodies(bodies, slots)
-    const capacity = bodies.alive.length
-    if (densities.length >= capacity) return
-    reserveHeads(contacts, capacity)
-    reservePairs(pairs, capacity)
-    reserveIslands(islands, capacity)
-    reserveImpacts(impacts, capacity)
-    densities = grown(densities, capacity)
-  }
 
   return {
     get stats(): Readonly<Stats> {
@@ -3361,10 +3266,12 @@ function createWorld(options: WorldOptions) {
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
       const i = freeSlots.pop() ?? bodies.count++
-      reserve(bodies.count)
+      const capacity = bodies.alive.length
+      if (capacity < bodies.count)
+        for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
       const s = i * STATE
-      densities[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
-      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
+      bodies.density[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
+      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       setPose(
         bodies,
         i,
@@ -3377,13 +3284,12 @@ function createWorld(options: WorldOptions) {
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
       capSpeed(bodies.state, s)
       bodies.alive[i] = 1
-      bodies.population++
       bodies.asleep[i] = 0
       bodies.held[i] = 0
       bodies.jams[i] = 0
       bodies.undrawn[i] = 1
       bodies.awake[bodies.awakeCount++] = i
-      enterPairs(pairs, i)
+      enterPairs(pairs, contacts, i)
       return i
     },
 
@@ -3397,7 +3303,6 @@ function createWorld(options: WorldOptions) {
       bodies.awakeCount = 0
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
       bodies.alive[id] = 0
-      bodies.population--
       freeSlots.push(id)
     },
 
@@ -3425,7 +3330,7 @@ function createWorld(options: WorldOptions) {
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
       disturb(scene, id)
-      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), densities[id])
+      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
     },
 
@@ -3445,16 +3350,16 @@ function createWorld(options: WorldOptions) {
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
     configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
       const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+      scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
       const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + LOAD] *= share
         contacts.data[k + SECOND + LOAD] *= share
-        contacts.data[k + DRAG] *= share
+        contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
       }
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
-      scene.friction = within(change.friction, 0, 100, scene.friction)
       for (let i = 1; i < bodies.count; i++) {
         if (!bodies.alive[i]) continue
         wake(scene, i)
@@ -4301,7 +4206,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       press.moved = true
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
-      if (!press.grab) hold(press)
+      if (!press.grab) return hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
   }

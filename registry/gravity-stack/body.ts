@@ -71,8 +71,6 @@ export const SHAPE = 6
 export class Bodies {
   /** Slots in use, body 0 included; a slot of a removed body counts until it is used again. */
   count = 1
-  /** Bodies that are there. */
-  population = 0
   state: Float64Array = new Float64Array(STATE)
   motion: Float64Array = new Float64Array(MOTION)
   shape: Float64Array = new Float64Array(SHAPE)
@@ -80,6 +78,8 @@ export class Bodies {
   before: Float64Array = new Float64Array(3)
   /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
   rest: Float64Array = new Float64Array(4)
+  /** Mass a px². */
+  density: Float64Array = new Float64Array(1)
   /** 1 while the slot holds a body. */
   alive: Uint8Array = new Uint8Array(1)
   asleep: Uint8Array = new Uint8Array(1)
@@ -96,10 +96,6 @@ export class Bodies {
   undrawn: Uint8Array = new Uint8Array(1)
   /** Steps in which partings have left the island of the body in a jam, since it last woke. */
   jams: Int32Array = new Int32Array(1)
-
-  constructor() {
-    this.motion[COS] = 1
-  }
 }
 
 /** Copies `from` into a new array of `length`. */
@@ -109,22 +105,11 @@ export function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T,
   return to
 }
 
-export function reserveBodies(bodies: Bodies, slots: number): void {
-  if (bodies.alive.length >= slots) return
-  const capacity = Math.max(slots, bodies.alive.length * 2, 32)
-  bodies.state = grown(bodies.state, capacity * STATE)
-  bodies.motion = grown(bodies.motion, capacity * MOTION)
-  bodies.shape = grown(bodies.shape, capacity * SHAPE)
-  bodies.before = grown(bodies.before, capacity * 3)
-  bodies.rest = grown(bodies.rest, capacity * 4)
-  bodies.alive = grown(bodies.alive, capacity)
-  bodies.asleep = grown(bodies.asleep, capacity)
-  bodies.stirred = grown(bodies.stirred, capacity)
-  bodies.moved = grown(bodies.moved, capacity)
-  bodies.awake = grown(bodies.awake, capacity)
-  bodies.held = grown(bodies.held, capacity)
-  bodies.undrawn = grown(bodies.undrawn, capacity)
-  bodies.jams = grown(bodies.jams, capacity)
+/** Makes every array of `owner` so many times as long. */
+export function grow(owner: object, times: number): void {
+  for (const [name, list] of Object.entries(owner))
+    if (ArrayBuffer.isView(list))
+      Reflect.set(owner, name, grown(list as Int32Array, (list as Int32Array).length * times))
 }
 
 /**
@@ -285,7 +270,6 @@ export function tally(bodies: Bodies, list: Int32Array, from: number, to: number
 
 /** What air does to a body in a time `h`: v ← fade·v + g·reach, x ← x + reach·v + g·fall. Exact for any h. */
 export interface Air {
-  h: number
   fade: number
   reach: number
   fall: number
@@ -304,7 +288,7 @@ export function air(damping: number, h: number): Air {
     fall += term / ((k + 1) * (k + 2))
     term *= z / (k + 1)
   }
-  return { h, fade, reach: reach * h, fall: fall * h * h }
+  return { fade, reach: reach * h, fall: fall * h * h }
 }
 
 /** The largest damping (1/s) for which `air` is exact at a whole step. */

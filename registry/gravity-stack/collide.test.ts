@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { chipDistance, cornerRadius, type Pose, type Shape, stageDistance } from '../../scenes/exact-distance'
 import { seeded } from '../../scenes/seeded'
-import { Bodies, reserveBodies, setPose, setShape } from './body'
+import { Bodies, grow, setPose, setShape } from './body'
 import {
   AX,
   AY,
@@ -20,7 +20,7 @@ import {
 } from './collide'
 
 const bodies = new Bodies()
-reserveBodies(bodies, 3)
+grow(bodies, 3)
 
 function put(i: number, shape: Shape, pose: Pose) {
   setShape(bodies, i, shape.width, shape.height, shape.radius ?? 0, 1)

@@ -2,7 +2,7 @@ import {
   ANGLE,
   Bodies,
   CORE,
-  grown,
+  grow,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -55,8 +55,6 @@ export const FROM_X = 1
 export const FROM_Y = 2
 export const FROM_A = 3
 export const FROM_B = 4
-/** Sub-steps a step when the impulses were stored. */
-export const RATE = 5
 export const NX = 6
 export const NY = 7
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
@@ -95,23 +93,24 @@ export const HIT_T = 34
 export const CHANGE = 35
 export const CONTACT = 40
 
+/** Room for four contacts a body at first: a pile has three or four. */
 export class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
   count = 0
   free = -1
   /** Body A and body B of each slot; A is 0 for a wall, B is 0 for a free slot. */
-  pair: Int32Array = new Int32Array(0)
+  pair: Int32Array = new Int32Array(8)
   /** Features of both points. */
-  feature: Int32Array = new Int32Array(0)
+  feature: Int32Array = new Int32Array(8)
   /** 0 for two chips; 1 floor, 2 left wall, 3 right wall. */
-  wall: Uint8Array = new Uint8Array(0)
-  data: Float64Array = new Float64Array(0)
+  wall: Uint8Array = new Uint8Array(4)
+  data: Float64Array = new Float64Array(4 * CONTACT)
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
-  head: Int32Array = new Int32Array(0)
-  next: Int32Array = new Int32Array(0)
-  last: Int32Array = new Int32Array(0)
+  head: Int32Array = new Int32Array(1).fill(-1)
+  next: Int32Array = new Int32Array(8)
+  last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
-  mark: Int32Array = new Int32Array(0)
+  mark: Int32Array = new Int32Array(4)
   /** Pairs measured since the count was last set to 0. */
   measured = 0
   /** Rows visited by sweeps. */
@@ -140,13 +139,6 @@ export class Scene {
   holds: Hold[] = []
 }
 
-export function reserveHeads(contacts: Contacts, bodies: number): void {
-  const have = contacts.head.length
-  if (have >= bodies) return
-  contacts.head = grown(contacts.head, bodies)
-  contacts.head.fill(-1, have)
-}
-
 function link(contacts: Contacts, edge: number, body: number): void {
   const first = contacts.head[body]
   contacts.next[edge] = first
@@ -169,16 +161,7 @@ export function addContact(contacts: Contacts, a: number, b: number, wall: numbe
   if (c >= 0) contacts.free = contacts.next[2 * c]
   else {
     c = contacts.count++
-    if (c >= contacts.wall.length) {
-      const capacity = Math.max(64, contacts.wall.length * 2)
-      contacts.pair = grown(contacts.pair, capacity * 2)
-      contacts.feature = grown(contacts.feature, capacity * 2)
-      contacts.wall = grown(contacts.wall, capacity)
-      contacts.data = grown(contacts.data, capacity * CONTACT)
-      contacts.next = grown(contacts.next, capacity * 2)
-      contacts.last = grown(contacts.last, capacity * 2)
-      contacts.mark = grown(contacts.mark, capacity)
-    }
+    if (c >= contacts.wall.length) grow(contacts, 2)
   }
   contacts.pair[2 * c] = a
   contacts.pair[2 * c + 1] = b

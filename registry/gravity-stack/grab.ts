@@ -32,10 +32,9 @@ export interface Hold {
   x: number
   y: number
   samples: { x: number; y: number; seconds: number }[]
-  /** Impulse of a sub-step, and the sub-steps a step it was stored at. */
+  /** Impulse of a sub-step. */
   impulseX: number
   impulseY: number
-  rate: number
   /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
   rx: number
   ry: number
@@ -64,7 +63,6 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
     samples: [],
     impulseX: 0,
     impulseY: 0,
-    rate: 0,
     rx: 0,
     ry: 0,
     k11: 0,
@@ -131,15 +129,10 @@ export function pull(bodies: Bodies, hold: Hold, gravity: number): number {
   return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
 }
 
-/** The impulse of the last step, scaled to its `substeps`, added to what the body gets as warm start. */
-export function carryHold(bodies: Bodies, hold: Hold, substeps: number): void {
+/** The impulse of the last step, added to what the body gets as warm start. */
+export function carryHold(bodies: Bodies, hold: Hold): void {
   const m = hold.body * MOTION
   const i = hold.body * STATE
-  if (hold.rate !== substeps) {
-    hold.impulseX *= hold.rate / substeps
-    hold.impulseY *= hold.rate / substeps
-    hold.rate = substeps
-  }
   bodies.motion[m + PUSH_X] += bodies.state[i + INV_MASS] * hold.impulseX
   bodies.motion[m + PUSH_Y] += bodies.state[i + INV_MASS] * hold.impulseY
   bodies.motion[m + PUSH_SPIN] +=

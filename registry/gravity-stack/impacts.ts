@@ -51,32 +51,23 @@ import {
  */
 export class Impacts {
   /** Contacts of the cluster under way. */
-  list: Int32Array = new Int32Array(64)
+  list: Int32Array = new Int32Array(2)
   count = 0
   /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
-  bodies: Int32Array = new Int32Array(0)
+  bodies: Int32Array = new Int32Array(1)
   bodyCount = 0
-  before: Float64Array = new Float64Array(0)
-  when: Float64Array = new Float64Array(0)
+  before: Float64Array = new Float64Array(3)
+  when: Float64Array = new Float64Array(1)
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
   first = 0
-  since: Float64Array = new Float64Array(0)
+  since: Float64Array = new Float64Array(1)
   /** Number of the phase that last reached each body. */
-  mark: Int32Array = new Int32Array(0)
+  mark: Int32Array = new Int32Array(1)
   phase = 0
   sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
   passOn = 0.5
-}
-
-export function reserveImpacts(impacts: Impacts, bodies: number): void {
-  if (impacts.mark.length >= bodies) return
-  impacts.bodies = grown(impacts.bodies, bodies)
-  impacts.before = grown(impacts.before, bodies * 3)
-  impacts.when = grown(impacts.when, bodies)
-  impacts.since = grown(impacts.since, bodies)
-  impacts.mark = grown(impacts.mark, bodies)
 }
 
 /** What `foresee` found: when contact `c` will hit (s from the start of the sub-step, its end if not), and how hard (px/s). */

@@ -23,41 +23,25 @@ import { straighten } from './solver'
  * needs no solving at all. Later, who carries whom: such a group falls asleep together once all of it is at rest.
  */
 export class Islands {
-  parent: Int32Array = new Int32Array(0)
+  parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
-  reach: Float64Array = new Float64Array(0)
-  /** Contacts that matter in this step. */
-  near: Int32Array = new Int32Array(0)
+  reach: Float64Array = new Float64Array(1)
+  /** Contacts that matter in this step. A pile has three or four a body, so that these hardly ever grow in the middle of it. */
+  near: Int32Array = new Int32Array(6)
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
   count = 0
-  bodies: Int32Array = new Int32Array(0)
-  bodyStart: Int32Array = new Int32Array(0)
-  contacts: Int32Array = new Int32Array(0)
+  bodies: Int32Array = new Int32Array(1)
+  bodyStart: Int32Array = new Int32Array(2)
+  contacts: Int32Array = new Int32Array(6)
   /** The same, only those that touch in the present sub-step. */
-  live: Int32Array = new Int32Array(0)
-  contactStart: Int32Array = new Int32Array(0)
+  live: Int32Array = new Int32Array(6)
+  contactStart: Int32Array = new Int32Array(2)
   /** Sleepers that something may be knocked into in this step. */
-  struck: Int32Array = new Int32Array(0)
+  struck: Int32Array = new Int32Array(1)
   struckCount = 0
   /** Number of the island by root. */
-  number: Int32Array = new Int32Array(0)
-}
-
-export function reserveIslands(islands: Islands, bodies: number): void {
-  if (islands.parent.length >= bodies) return
-  islands.parent = grown(islands.parent, bodies)
-  islands.reach = grown(islands.reach, bodies)
-  islands.bodies = grown(islands.bodies, bodies)
-  islands.bodyStart = grown(islands.bodyStart, bodies + 1)
-  islands.contactStart = grown(islands.contactStart, bodies + 1)
-  islands.number = grown(islands.number, bodies)
-  islands.struck = grown(islands.struck, bodies)
-  // A pile has three or four contacts a body, so that these hardly ever grow in the middle of a step.
-  const room = Math.max(islands.near.length, bodies * 6)
-  islands.near = grown(islands.near, room)
-  islands.contacts = new Int32Array(room)
-  islands.live = new Int32Array(room)
+  number: Int32Array = new Int32Array(1)
 }
 
 /** Root of the island of body `i`. */
@@ -89,7 +73,8 @@ export function findIslands(islands: Islands, scene: Scene): void {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
   }
-  for (const hold of scene.holds) reach[hold.body] = pull(scene.bodies, hold, scene.gravity)
+  for (const hold of scene.holds)
+    reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
   islands.nearCount = 0
   islands.struckCount = 0
   gather(islands, scene, false)

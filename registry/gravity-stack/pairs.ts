@@ -1,18 +1,4 @@
-import {
-  type Bodies,
-  CORE,
-  extents,
-  grown,
-  halfExtents,
-  narrowest,
-  SHAPE,
-  SPIN,
-  STATE,
-  VX,
-  VY,
-  X,
-  Y,
-} from './body'
+import { type Bodies, CORE, extents, halfExtents, narrowest, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { SKIN, STEP } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
@@ -23,31 +9,22 @@ import { addContact, type Contacts, removeContact, type Scene } from './contacts
  */
 export class Pairs {
   /** Left, top, right, bottom of each body's enlarged box, px. */
-  box: Float64Array = new Float64Array(0)
+  box: Float64Array = new Float64Array(4)
   /** Bodies by the left edge of their box. */
-  order: Int32Array = new Int32Array(0)
+  order: Int32Array = new Int32Array(1)
   sorted = 0
   /** 1 for a body that left its box in this step. */
-  moved: Uint8Array = new Uint8Array(0)
+  moved: Uint8Array = new Uint8Array(1)
   /** Last body for which this one was marked as a partner. */
-  partner: Int32Array = new Int32Array(0)
+  partner: Int32Array = new Int32Array(1)
   /** Contact with each wall (floor, left, right) of each body, -1 without. */
-  wallContact: Int32Array = new Int32Array(0)
-}
-
-export function reservePairs(pairs: Pairs, bodies: number): void {
-  const have = pairs.moved.length
-  if (have >= bodies) return
-  pairs.box = grown(pairs.box, bodies * 4)
-  pairs.order = grown(pairs.order, bodies)
-  pairs.moved = grown(pairs.moved, bodies)
-  pairs.partner = grown(pairs.partner, bodies)
-  pairs.wallContact = grown(pairs.wallContact, bodies * 3)
-  pairs.wallContact.fill(-1, have * 3)
+  wallContact: Int32Array = new Int32Array(3)
 }
 
 /** Makes body `i` known to the broad phase; its box is made in the next `updatePairs`. */
-export function enterPairs(pairs: Pairs, i: number): void {
+export function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
+  contacts.head[i] = -1
+  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
   pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
   pairs.order[pairs.sorted++] = i
 }
@@ -57,7 +34,6 @@ export function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
   for (let k = 0; k < pairs.sorted; k++) if (pairs.order[k] !== i) pairs.order[to++] = pairs.order[k]
   pairs.sorted = to
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
-  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
 }
 
 /** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */

@@ -105,7 +105,7 @@ export function kick(
 ): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
   const { gravity, slow } = scene
-  const half = 0.5 * air.h
+  const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
   for (let a = from; a < to; a++) {

@@ -600,7 +600,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       press.moved = true
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
-      if (!press.grab) hold(press)
+      if (!press.grab) return hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
   }

@@ -47,20 +47,7 @@ import {
   TOLERANCE_STILL,
   UNEVEN,
 } from './constants'
-import {
-  CONTACT,
-  carry,
-  DRAG,
-  gapBound,
-  LAG,
-  LOAD,
-  measure,
-  POINTS,
-  probe,
-  RATE,
-  Scene,
-  SECOND,
-} from './contacts'
+import { CONTACT, carry, gapBound, LAG, LOAD, measure, POINTS, probe, Scene, SECOND } from './contacts'
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
@@ -135,7 +122,7 @@ export function stepOnce(simulation: Simulation): void {
   }
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
   updatePairs(simulation, pairs)
-  if (bodies.awakeCount < bodies.population) wakeStruck(simulation)
+  if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
   findIslands(islands, simulation)
   while (islands.struckCount > 0) {
     for (let n = 0; n < islands.struckCount; n++) wake(simulation, islands.struck[n])
@@ -304,7 +291,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
 
 /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
 function warmStart(
-  { bodies, contacts, islands, substeps }: Simulation,
+  { bodies, contacts, islands }: Simulation,
   b0: number,
   b1: number,
   c0: number,
@@ -324,18 +311,9 @@ function warmStart(
     const c = islands.contacts[n]
     const k = c * CONTACT
     d[k + LAG] = 0
-    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) {
-      if (d[k + RATE] !== substeps) {
-        const scale = d[k + RATE] / substeps
-        d[k + LOAD] *= scale
-        d[k + SECOND + LOAD] *= scale
-        d[k + DRAG] *= scale
-      }
-      carry(bodies, contacts, c, 1)
-    }
-    d[k + RATE] = substeps
+    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) carry(bodies, contacts, c, 1)
   }
-  for (const hold of grabbed) carryHold(bodies, hold, substeps)
+  for (const hold of grabbed) carryHold(bodies, hold)
 }
 
 /** Whether the body that `hold` holds is in the island that starts at `b0`. */

@@ -178,6 +178,23 @@ describe('a step', () => {
   })
 })
 
+describe('friction taken away', () => {
+  it('lets a box slide on at the speed that it has', () => {
+    const { world, ids } = worldOf(
+      [{ width: 60, height: 40, x: 120, y: stage.height - 20, angle: 0, vx: 400 }],
+      {
+        linearDamping: 0,
+      },
+    )
+    run(world, 0.1)
+    const { vx } = world.read(ids[0])
+    expect(vx).toBeLessThan(320)
+    world.configure({ friction: 0 })
+    run(world, 0.5)
+    expect(world.read(ids[0]).vx).toBeCloseTo(vx, 9)
+  })
+})
+
 describe('what was compiled for one world', () => {
   const script = fileURLToPath(new URL('./second-world.ts', import.meta.url))
   const args = ['--trace-deopt', '--trace-opt', '--expose-gc', '--import', 'tsx', script]

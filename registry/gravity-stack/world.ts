@@ -1,10 +1,9 @@
 import {
   ANGLE,
-  grown,
+  grow,
   INV_INERTIA,
   INV_MASS,
   MAX_DAMPING,
-  reserveBodies,
   SPIN,
   STATE,
   setPose,
@@ -24,11 +23,9 @@ import {
   STEP,
   SUBSTEPS,
 } from './constants'
-import { CLEAR, CONTACT, DRAG, DUE, LOAD, POINTS, reserveHeads, SECOND } from './contacts'
+import { CLEAR, CONTACT, DRAG, DUE, LOAD, POINTS, SECOND } from './contacts'
 import { createHold, recordHold, throwVelocity } from './grab'
-import { reserveImpacts } from './impacts'
-import { reserveIslands } from './islands'
-import { enterPairs, leavePairs, reservePairs } from './pairs'
+import { enterPairs, leavePairs } from './pairs'
 import { capSpeed } from './solver'
 import { disturb, Simulation, type Stats, stepOnce, wake } from './step'
 
@@ -112,20 +109,8 @@ export function createWorld(options: WorldOptions) {
   scene.sleeps = options.sleep !== false
   const freeSlots: number[] = []
   const pose: Float64Array = new Float64Array(3)
-  let densities: Float64Array = new Float64Array(0)
   /** s, time handed in and not simulated yet. */
   let left = 0
-
-  function reserve(slots: number): void {
-    reserveBodies(bodies, slots)
-    const capacity = bodies.alive.length
-    if (densities.length >= capacity) return
-    reserveHeads(contacts, capacity)
-    reservePairs(pairs, capacity)
-    reserveIslands(islands, capacity)
-    reserveImpacts(impacts, capacity)
-    densities = grown(densities, capacity)
-  }
 
   return {
     get stats(): Readonly<Stats> {
@@ -136,10 +121,12 @@ export function createWorld(options: WorldOptions) {
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
       const i = freeSlots.pop() ?? bodies.count++
-      reserve(bodies.count)
+      const capacity = bodies.alive.length
+      if (capacity < bodies.count)
+        for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
       const s = i * STATE
-      densities[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
-      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), densities[i])
+      bodies.density[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
+      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       setPose(
         bodies,
         i,
@@ -152,13 +139,12 @@ export function createWorld(options: WorldOptions) {
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
       capSpeed(bodies.state, s)
       bodies.alive[i] = 1
-      bodies.population++
       bodies.asleep[i] = 0
       bodies.held[i] = 0
       bodies.jams[i] = 0
       bodies.undrawn[i] = 1
       bodies.awake[bodies.awakeCount++] = i
-      enterPairs(pairs, i)
+      enterPairs(pairs, contacts, i)
       return i
     },
 
@@ -172,7 +158,6 @@ export function createWorld(options: WorldOptions) {
       bodies.awakeCount = 0
       for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
       bodies.alive[id] = 0
-      bodies.population--
       freeSlots.push(id)
     },
 
@@ -200,7 +185,7 @@ export function createWorld(options: WorldOptions) {
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
       disturb(scene, id)
-      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), densities[id])
+      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
     },
 
@@ -220,16 +205,16 @@ export function createWorld(options: WorldOptions) {
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
     configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
       const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+      scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
       const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + LOAD] *= share
         contacts.data[k + SECOND + LOAD] *= share
-        contacts.data[k + DRAG] *= share
+        contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
       }
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
-      scene.friction = within(change.friction, 0, 100, scene.friction)
       for (let i = 1; i < bodies.count; i++) {
         if (!bodies.alive[i]) continue
         wake(scene, i)
