@@ -141,9 +141,9 @@ export default function Benchmarks() {
 
       <Section id="order" title="More sub-steps, less error">
         <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          Gravity Stack chooses its sub-steps by what a pile needs; here they are fixed. An order of 2 means
-          that twice the sub-steps leave a quarter of the error. What is not listed is exact to rounding at
-          any number.
+          Gravity Stack takes six sub-steps where things meet, and fewer where they stand still; here the six
+          are another number. An order of 2 means that twice the sub-steps leave a quarter of the error. What
+          is not listed is exact to rounding at any number.
         </p>
         <div className="mt-6">
           <Table {...orderTable} />
