@@ -1,5 +1,14 @@
 import { expect, test } from './fixtures/stage'
 
+declare global {
+  interface Window {
+    /** ms that the clock is put forward. */
+    passed: number
+    /** ms of the timers that take long. */
+    waits: number[]
+  }
+}
+
 test('a stage hidden with its pile shows the same pile again, and has not settled anew', async ({
   stage,
   page,
@@ -35,6 +44,34 @@ test('a new stagger holds for chips that wait already', async ({ stage, page }) 
   await page.locator('#pace').click()
   await expect.poll(() => stage.states()).not.toContain('waiting')
   await stage.reaches('resting')
+})
+
+test('who plays with the pile does not hold back the chips to come', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const now = performance.now.bind(performance)
+    window.passed = 0
+    performance.now = () => now() + window.passed
+    const set = window.setTimeout
+    window.waits = []
+    window.setTimeout = ((work: () => void, ms?: number) => {
+      if (ms && ms > 5000) window.waits.push(ms)
+      return set(work, ms)
+    }) as typeof setTimeout
+  })
+  await stage.open('pile', { chips: 2, stagger: 60000 })
+  const [first, second] = [stage.chips.nth(0), stage.chips.nth(1)]
+  await expect(first).toHaveAttribute('data-state', 'resting')
+  await page.evaluate(() => {
+    window.passed = 20_000
+  })
+  const { x, y } = await stage.centre(first)
+  await page.mouse.click(x, y)
+  await expect(first).toHaveAttribute('data-state', 'falling')
+  await expect(first).toHaveAttribute('data-state', 'resting')
+  await expect(second).toHaveAttribute('data-state', 'waiting')
+  // ms that the second was still to wait when the first lay still, before and after the tap.
+  const [before, after] = await page.evaluate(() => window.waits.slice(-2))
+  expect(before - after).toBeGreaterThan(20_000)
 })
 
 test('a chip whose release was lost to something else is let go when the pointer comes back', async ({

@@ -3785,6 +3785,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** s simulated since the stage began, and ms of the frame before, while frames run. */
   let clock = 0
   let last: number | undefined
+  /** ms, when the clock was last right, while nothing moves and no frame counts the time. */
+  let idleSince: number | undefined
   let turns = 0
   let slot = 0
   /** The chip whose release a timer waits for. */
@@ -3806,6 +3808,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         width = root.clientWidth
         height = root.clientHeight
         if (width * height > 0) {
+          // A stage without a size counts as wholly in view, so that it tells nothing new when it is that with one.
+          if (hidden && !started) {
+            watcher!.unobserve(root)
+            watcher!.observe(root)
+          }
           if (world) world.resize(width, height)
           else begin()
           // What has lost its size meanwhile had none to lose.
@@ -3829,7 +3836,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function collect() {
     const moves = !still.matches
     // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
-    for (const late of root.querySelectorAll('[loading=lazy]')) late.setAttribute('loading', 'eager')
+    for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
+      late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
@@ -3901,9 +3909,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     bodies = []
     queue = []
     clock = turns = slot = 0
+    idleSince = undefined
     disarm()
     // In the order of the children, however they came.
-    for (const element of root.children) {
+    for (const element of Array.from(root.children)) {
       const chip = chips.get(element)
       if (!chip) continue
       chip.id = -1
@@ -3913,6 +3922,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function enqueue(chip: Chip) {
+    catchUp()
     chip.turn = turns++
     slot = Math.max(slot, clock)
     // Nobody can use what still waits out of sight.
@@ -3925,6 +3935,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** Times the releases to come by a new stagger. */
   function requeue() {
+    catchUp()
     const waiting = queue
     queue = []
     slot = clock && clock + options.stagger / 1000
@@ -3968,6 +3979,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     }
     world!.step(end - clock)
     clock = end
+  }
+
+  /** Counts the time in which nothing moved. What moves by now has only just begun: it is not moved on. */
+  function catchUp() {
+    if (idleSince === undefined) return
+    const now = performance.now()
+    const end = Math.min(clock + (now - idleSince) / 1000, queue[0]?.due ?? Infinity)
+    if (world!.resting) world!.step(end - clock)
+    clock = end
+    idleSince = now
   }
 
   function tick() {
@@ -4015,6 +4036,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
     if (!listening) return
+    catchUp()
     const idle = !world || world.resting
     const next = still.matches
       ? 'static'
@@ -4041,6 +4063,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
     }
     live = running || next === 'resting'
+    if (!live || !idle) idleSince = undefined
+    else idleSince ??= performance.now()
     if (!live) presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
@@ -4056,7 +4080,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function arrive() {
-    awaited = undefined
+    awaited = idleSince = undefined
     advance(queue[0]!.due)
     sync()
   }
@@ -4126,6 +4150,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (chip.id >= 0 || still.matches) return
     root.scrollIntoView({ block: 'nearest' })
     started = true
+    catchUp()
     chip.due = clock
     queue.sort((a, b) => a.due - b.due)
     disarm()
