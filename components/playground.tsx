@@ -94,13 +94,14 @@ export function Playground() {
 
   // The address is known in the browser only; until then the stage is empty.
   useEffect(() => {
-    setSettings(fromQuery(location.search))
+    // Unless someone was quicker: a change counts from the moment the page can hear it.
+    setSettings((known) => known ?? fromQuery(location.search))
     if (stillMotion()) setPlaying(false)
     return () => clearTimeout(address.current)
   }, [])
 
   const change = (next: Partial<Settings>) => {
-    const changed = { ...(settings ?? defaults), ...next }
+    const changed = { ...(settings ?? fromQuery(location.search)), ...next }
     setSettings(changed)
     clearTimeout(address.current)
     address.current = setTimeout(() => {

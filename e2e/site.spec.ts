@@ -587,19 +587,24 @@ test.describe('playground', () => {
         throw new DOMException('too often', 'SecurityError')
       }
     })
-    await page.getByLabel('gravity').focus()
-    for (let n = 0; n < 20; n++) await page.keyboard.press('ArrowRight')
+    // Twenty steps of a slider in one go are one address.
+    await page.getByLabel('gravity').evaluate((slider: HTMLInputElement) => {
+      for (let n = 0; n < 20; n++) {
+        slider.stepUp()
+        slider.dispatchEvent(new Event('input', { bubbles: true }))
+      }
+    })
+    await expect(page.getByLabel('gravity')).toHaveValue('4600')
     const refused = () => page.evaluate(() => (window as unknown as { refused: number }).refused)
-    await expect.poll(refused).toBeGreaterThan(0)
-    expect(await refused()).toBeLessThan(20)
+    await expect.poll(refused).toBe(1)
     expect(errors).toEqual([])
   })
 
   test('the overlay is drawn anew in the colours of another theme', async ({ page }) => {
     await page.emulateMedia({ colorScheme: 'light' })
     await page.goto('/playground?count=2')
-    await page.getByRole('button', { name: 'Overlay' }).click()
     await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+    await page.getByRole('button', { name: 'Overlay' }).click()
     const drawn = () =>
       page.locator(`${stage} canvas`).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
     const light = await drawn()
@@ -740,6 +745,12 @@ test.describe('playground under a finger', () => {
     await drop()
     await expect(stage).toHaveAttribute('data-state', 'resting')
 
+    // The moment after which a finger holds never comes: a busy machine's swipe may take longer than that.
+    await page.evaluate(() => {
+      const { setTimeout } = window
+      window.setTimeout = ((work: () => void, ms?: number) =>
+        ms === 180 ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
+    })
     const lies = await top()
     const lift = await swipe(0)
     await expect.poll(scrolled).toBeGreaterThan(before + 60)
