@@ -86,19 +86,7 @@ test('after a drag that no click follows, the keyboard still follows the link at
 test('a tap on a chip without a control gives it a hop', async ({ stage, page }) => {
   await stage.settled('controls')
   const chip = stage.chip('plain')
-  const { x, y } = await stage.centre(chip)
-  const highest = chip.evaluate(async (element) => {
-    let top = Number.POSITIVE_INFINITY
-    while (element.dataset.state === 'resting') await window.probe.pass(1)
-    while (element.dataset.state !== 'resting') {
-      const box = element.getBoundingClientRect()
-      top = Math.min(top, box.y + box.height / 2)
-      await window.probe.pass(1)
-    }
-    return top
-  })
-  await page.mouse.click(x, y)
-  expect(y - (await highest)).toBeGreaterThan(20)
+  expect(await stage.hop(chip)).toBeGreaterThan(20)
   await stage.reaches('resting')
   expect(await stage.overlap()).toBeLessThan(1)
   await expect(page.locator(done)).toContainText('click plain')

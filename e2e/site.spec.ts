@@ -726,20 +726,21 @@ test.describe('playground under a finger', () => {
     const top = async () => (await chip.boundingBox())!.y - (await stage.boundingBox())!.y
     const scrolled = () => page.evaluate(() => scrollY)
     const session = await page.context().newCDPSession(page)
-    const swipe = async (rest: number) => {
+    const swipe = async (held: boolean) => {
       const { x, y, width, height } = (await chip.boundingBox())!
       const at = (up: number) => [{ x: x + width / 2, y: y + height / 2 - up }]
       await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) })
-      await page.waitForTimeout(rest)
+      // What is held is awake.
+      if (held) await expect(stage).not.toHaveAttribute('data-state', 'resting')
       for (let up = 10; up <= 150; up += 10) {
         await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(up) })
-        await page.waitForTimeout(16)
+        await page.evaluate(() => new Promise(requestAnimationFrame))
       }
       return () => session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
     }
     const [lying, before] = [await top(), await scrolled()]
 
-    const drop = await swipe(400)
+    const drop = await swipe(true)
     await expect.poll(top).toBeLessThan(lying - 80)
     expect(await scrolled()).toBe(before)
     await drop()
@@ -752,7 +753,7 @@ test.describe('playground under a finger', () => {
         ms === 180 ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
     })
     const lies = await top()
-    const lift = await swipe(0)
+    const lift = await swipe(false)
     await expect.poll(scrolled).toBeGreaterThan(before + 60)
     expect(await top()).toBeCloseTo(lies, 0)
     await lift()
