@@ -355,7 +355,7 @@ function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number)
 
 /**
  * Brings the orientation of body `i` up to its angle. tan(θ/2) by a short series, the half-angle formulas are then an
- * exact rotation: off by 2e-9 rad a call at most (turned by 0.3 rad), 1e-15 at the pace of sub-steps, and the vector keeps its length.
+ * exact rotation: off by 2e-11 rad a call at most (turned by 0.3 rad), 1e-15 at the pace of sub-steps, and the vector keeps its length.
  */
 function turn(state: Float64Array, motion: Float64Array, i: number): void {
   const m = i * MOTION
@@ -365,7 +365,7 @@ function turn(state: Float64Array, motion: Float64Array, i: number): void {
   if (by > 0.3 || by < -0.3) orient(state, motion, i)
   else {
     const bb = by * by
-    const t = by * (0.5 + bb * (1 / 24 + bb * (1 / 240 + bb * (17 / 40320))))
+    const t = by * (0.5 + bb * (1 / 24 + bb * (1 / 240 + bb * (17 / 40320 + bb * (31 / 725760)))))
     const k = 2 / (1 + t * t)
     const cos = k - 1
     const sin = t * k
@@ -1168,8 +1168,9 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
     if (tt > 0) {
       const vx = tx / tt
       const vy = ty / tt
-      const offX = s[i + X] + hold.rx - hold.x
-      const offY = s[i + Y] + hold.ry - hold.y
+      findArm(bodies, hold)
+      const offX = s[i + X] + arm[0] - hold.x
+      const offY = s[i + Y] + arm[1] - hold.y
       // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
       if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {

@@ -196,6 +196,14 @@ describe('a chip let go', () => {
     }
   })
 
+  it('leaves with the speed of the pointer when it is flicked by its end between two frames', () => {
+    const { world, ids } = worldOf([{ ...pill, width: 240, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 430, 100)
+    for (let k = 0; k < 4; k++) grab.moveTo(430 + 2 * k, 100, k * 0.004)
+    grab.release()
+    expect(world.read(ids[0]).vx).toBeCloseTo(500, 6)
+  })
+
   it('never leaves faster than 1800 px/s', () => {
     for (const speed of [2000, 2500]) {
       const { vx, vy } = throwAt(speed, 60, 40)

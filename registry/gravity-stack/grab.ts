@@ -198,8 +198,9 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
     if (tt > 0) {
       const vx = tx / tt
       const vy = ty / tt
-      const offX = s[i + X] + hold.rx - hold.x
-      const offY = s[i + Y] + hold.ry - hold.y
+      findArm(bodies, hold)
+      const offX = s[i + X] + arm[0] - hold.x
+      const offY = s[i + Y] + arm[1] - hold.y
       // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
       if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
