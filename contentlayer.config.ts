@@ -21,7 +21,7 @@ export const Doc = defineDocumentType(() => ({
   },
 }))
 
-/** The second and third level headings, with the ids that rehype-slug will give them. */
+/** The headings of the second level and below, with the ids that rehype-slug will give them. */
 function headings(markdown: string) {
   const slugger = new GithubSlugger()
   const prose = markdown.replace(/^```[\s\S]*?^```/gm, '')

@@ -65,6 +65,8 @@ async function visit<T>(
     const start = () => page.addScriptTag({ type: 'module', url: `${server.url}/${stage}/client.js` })
     return await Promise.race([work(page, session, start), failed])
   } finally {
+    // One that failed may have left it running, and no other could begin.
+    await browser.stopTracing().catch(() => {})
     await context?.close()
   }
 }

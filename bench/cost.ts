@@ -51,7 +51,8 @@ for (const chips of options.chips.split(',').map(Number)) {
         warmUp: Number(options.ms),
         patience: 60_000,
       })
-      if (cost && 'mean' in cost) rounds[i].push(cost)
+      if (!cost || !('mean' in cost)) throw new Error(`${contestant.engine} was given up with ${chips} chips`)
+      rounds[i].push(cost)
     }
   }
   contestants.forEach((contestant, i) => {

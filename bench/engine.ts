@@ -35,7 +35,7 @@ export type Engine = {
 export const pixelsPerMetre = 100
 
 /** Thickness of the boxes that stand for floor and walls, px. */
-export const wallThickness = 1000
+const wallThickness = 1000
 
 /** Floor and walls as boxes: centre and half size in px. They reach far past the stage, which has no ceiling. */
 export function walls(scene: { width: number; height: number }) {

@@ -1,18 +1,15 @@
-import { execFileSync } from 'node:child_process'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { type Check, checks, foundScenes } from '../scenes/fuzzed'
 import known from './fuzz-misses.json'
 import type { Misses } from './fuzz-search'
-import { bundle, root } from './run-job'
+import { printed } from './run-job'
 
 const advice = 'npm run fuzz shows and keeps the scene; what is mended or known: npm run fuzz -- --accept'
 
 let result: { misses: Partial<Record<Check, Misses>>; failing: string[] }
 
-// In a process of its own: what a test runner does to modules makes the solver ten times slower.
 beforeAll(async () => {
-  const options = { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 24 } as const
-  result = JSON.parse(execFileSync(process.execPath, [await bundle('fuzz-child')], options))
+  result = await printed('fuzz-child', 250)
 }, 300_000)
 
 describe('in 2,000 random scenes', () => {

@@ -3,6 +3,7 @@ import { rmSync } from 'node:fs'
 import { dirname, join, resolve } from 'node:path'
 import { createInterface } from 'node:readline'
 import { fileURLToPath } from 'node:url'
+import { promisify } from 'node:util'
 import { rolldown } from 'rolldown'
 import type { AtLeast, Cost, Job } from './job'
 
@@ -49,6 +50,15 @@ export type Outcome<J extends Job> = J extends { kind: 'errors' }
     : J extends { kind: 'pour cost' }
       ? Cost | AtLeast
       : number
+
+/**
+ * What a script of this folder prints as JSON, for tests, in a process of its own: what a test runner does to modules makes the
+ * solver ten times slower. It is ended after `seconds`.
+ */
+export async function printed<T>(script: string, seconds: number): Promise<T> {
+  const options = { cwd: root, maxBuffer: 2 ** 24, timeout: 1000 * seconds }
+  return JSON.parse((await promisify(execFile)(process.execPath, [await bundle(script)], options)).stdout)
+}
 
 /** Seconds of processor that jobs have taken in all. */
 export const spent = { seconds: 0 }

@@ -71,14 +71,10 @@ const timedOnce = (engine: string, cost: number, frames: number, own: number | u
 /** µs of a pour after which more chips are tried last, with the time that is left. */
 const hopeless = 35e5
 
+if (chosenEngines.length === 0) throw new Error(`No engine is called ${options.engine}`)
+if (chosenScenes.length === 0) throw new Error(`No scene is named like ${options.scene}`)
 const engines: Engine[] = []
-for (const name of chosenEngines) {
-  try {
-    engines.push(await describeEngine(name))
-  } catch (error) {
-    console.error(`${name} is left out: ${error instanceof Error ? error.message : error}`)
-  }
-}
+for (const name of chosenEngines) engines.push(await describeEngine(name))
 
 const {
   task,

@@ -2,14 +2,14 @@ import { join } from 'node:path'
 import { type InputOptions, rolldown } from 'rolldown'
 
 /**
- * One script of a module in `folder` that holds `contents`, as Vite builds an app. Not with esbuild, which turns the constants of a
+ * One script of a module in `folder` that holds `contents`, as Vite builds an app. `name` is the global that an iife leaves its exports in. Not with esbuild, which turns the constants of a
  * bundle into variables: the compiler then looks every one of them up, and longer code takes longer to get warm.
  */
 export async function script(
   contents: string,
   folder: string,
   format: 'esm' | 'cjs' | 'iife',
-  more: InputOptions = {},
+  { name, ...more }: InputOptions & { name?: string } = {},
 ) {
   const entry = join(folder, 'entry.tsx')
   const built = await rolldown({
@@ -25,6 +25,6 @@ export async function script(
     ],
     ...more,
   })
-  const { output } = await built.generate({ format, minify: true, codeSplitting: false, name: 'observer' })
+  const { output } = await built.generate({ format, minify: true, codeSplitting: false, name })
   return output[0].code
 }

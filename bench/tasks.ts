@@ -35,9 +35,11 @@ function sourceHash(name: string) {
     }
   }
   read('scenes', (file) => judges.includes(file.replace(/\.ts$/, '')))
-  read('bench', (file) => file === 'film.ts')
-  if (name === ours) read('registry/gravity-stack', (file) => /^[a-z]+\.ts$/.test(file))
-  else read('bench/engines', (file) => file !== 'ours.ts' && file !== 'index.ts')
+  read('bench', (file) => file === 'film.ts' || file === 'engine.ts')
+  read('bench/engines', (file) => file !== 'index.ts' && (file === 'ours.ts') === (name === ours))
+  const helpers = ['pins.ts', 'testing.ts']
+  if (name === ours)
+    read('registry/gravity-stack', (file) => /^[a-z]+\.ts$/.test(file) && !helpers.includes(file))
   return hash.digest('hex').slice(0, 12)
 }
 

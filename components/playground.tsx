@@ -23,6 +23,7 @@ import {
   toQuery,
 } from '@/lib/playground'
 import { stillMotion } from '@/lib/still-motion'
+import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/constants'
 import { CopyButton } from './copy-button'
 import { chipColours, drawChip, drawDot, drawLine, paletteOf } from './lab/draw'
 import { inspect, meanMass } from './lab/inspect'
@@ -39,10 +40,6 @@ const speeds = [
 const weightLength = 12
 const longestForce = 80
 const asleepColour = '#bab3ab'
-
-/** As in the component: ms that a finger rests, or px that it moves aside, before it holds instead of scrolls. */
-const touchHold = 180
-const touchDragStart = 8
 
 /** ms without a change before the address is written: Safari refuses the hundredth time in half a minute. */
 const addressDelay = 300
@@ -265,7 +262,7 @@ export function Playground() {
       },
     }
     presses.current.set(event.pointerId, press)
-    if (event.pointerType === 'touch') press.timer = setTimeout(press.hold, touchHold)
+    if (event.pointerType === 'touch') press.timer = setTimeout(press.hold, TOUCH_HOLD)
     else press.hold()
   }
   function move(event: PointerEvent) {
@@ -274,7 +271,7 @@ export function Playground() {
     press.at = point(event)
     const [dx, dy] = [press.at[0] - press.down.x, press.at[1] - press.down.y]
     if (press.grab) press.grab.moveTo(...press.at)
-    else if (Math.hypot(dx, dy) > touchDragStart) {
+    else if (Math.hypot(dx, dy) > TOUCH_DRAG_START) {
       // A finger that sets out up or down wants to scroll the page.
       if (Math.abs(dy) > Math.abs(dx)) letGo(event)
       else press.hold()

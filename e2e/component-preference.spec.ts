@@ -34,7 +34,7 @@ async function readable(page: Page) {
 const row = { apart: true, inside: true, upright: true, shown: true, gap: 16, height: 340 }
 
 /** Waits until React has the page and the stage has begun. */
-const alive = (stage: StagePage) =>
+const begun = (stage: StagePage) =>
   expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
 
 test.describe('with reduced motion', () => {
@@ -42,7 +42,7 @@ test.describe('with reduced motion', () => {
 
   test('the chips stand upright in a row at the bottom, and nothing moves', async ({ stage, page }) => {
     await stage.open('pile')
-    await alive(stage)
+    await begun(stage)
     await expect.poll(() => readable(page)).toEqual(row)
     await page.mouse.move(300, 300)
     await page.mouse.down()
@@ -72,7 +72,7 @@ test.describe('with reduced motion', () => {
       stage.chips.evaluateAll((all) => all.map((chip) => JSON.stringify(chip.getBoundingClientRect())))
     const before = await boxes()
     arrive()
-    await alive(stage)
+    await begun(stage)
     expect(await boxes()).toEqual(before)
     await stage.reaches('static')
   })
@@ -86,7 +86,7 @@ test.describe('with reduced motion', () => {
 
   test('the markup is the server’s, and hydration has nothing to say', async ({ stage, page, request }) => {
     await stage.open('pile')
-    await alive(stage)
+    await begun(stage)
     const served = await page.evaluate(
       (html) => new DOMParser().parseFromString(html, 'text/html').querySelector('main')!.innerHTML,
       await (await request.get('/pile')).text(),

@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, type Response } from '@playwright/test'
+import { TOUCH_HOLD } from '../registry/gravity-stack/constants'
 import { alive, test } from './alive'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
@@ -577,6 +578,7 @@ test.describe('playground', () => {
   test('a browser that refuses a new address does no harm', async ({ page }) => {
     const errors: string[] = []
     page.on('pageerror', (error) => errors.push(error.message))
+    await page.clock.install()
     await page.goto('/playground')
     await page.evaluate(() => {
       Object.assign(window, { refused: 0 })
@@ -596,7 +598,10 @@ test.describe('playground', () => {
     })
     await expect(page.getByLabel('gravity')).toHaveValue('4600')
     const refused = () => page.evaluate(() => (window as unknown as { refused: number }).refused)
-    await expect.poll(refused).toBe(1)
+    await page.clock.runFor(1000)
+    expect(await refused()).toBe(1)
+    await page.clock.runFor(10_000)
+    expect(await refused()).toBe(1)
     expect(errors).toEqual([])
   })
 
@@ -747,11 +752,11 @@ test.describe('playground under a finger', () => {
     await expect(stage).toHaveAttribute('data-state', 'resting')
 
     // The moment after which a finger holds never comes: a busy machine's swipe may take longer than that.
-    await page.evaluate(() => {
+    await page.evaluate((never) => {
       const { setTimeout } = window
       window.setTimeout = ((work: () => void, ms?: number) =>
-        ms === 180 ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
-    })
+        ms === never ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
+    }, TOUCH_HOLD)
     const lies = await top()
     const lift = await swipe(false)
     await expect.poll(scrolled).toBeGreaterThan(before + 60)
@@ -763,7 +768,9 @@ test.describe('playground under a finger', () => {
 test('another scene or seed starts at its beginning, and leaves the focus where it is', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/docs/stability')
-  for (const figure of await page.locator('[data-slot=figure]').all()) {
+  const figures = page.locator('[data-slot=figure]')
+  await expect(figures).toHaveCount(2)
+  for (const figure of await figures.all()) {
     await figure.scrollIntoViewIfNeeded()
     await expect(figure).not.toContainText('…')
     const time = figure.getByLabel('Time', { exact: true })
@@ -821,6 +828,7 @@ test.describe('how it works', () => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await page.goto('/docs/how-it-works')
     const times = page.getByLabel('Time', { exact: true })
+    await expect(times).toHaveCount(6)
     await expect(async () => {
       await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')))
       expect(

@@ -53,7 +53,7 @@ describe('the references', () => {
     expect(flight(-300, 2600, 1e-9, 1).moved).toBeCloseTo(flight(-300, 2600, 0, 1).moved, 4)
   })
 
-  it('strike by Newton and Coulomb: the normal speed is returned, friction holds or slides at its bound, nothing gains energy', () => {
+  it('strike by Newton and Coulomb: the normal speed is returned, friction holds or slides at its bound', () => {
     const random = seeded(5)
     let held = 0
     let slid = 0

@@ -18,7 +18,7 @@ export type Conditions = {
   angularDamping: number
 }
 
-/** targets.md's set-up: the component's own defaults without air drag. */
+/** The component's own defaults, without air drag. */
 export const conditions: Conditions = {
   gravity: 2600,
   friction: 0.4,

@@ -91,11 +91,12 @@ export const findEngines = () =>
     path: [...onPath(names), macPath].find((path) => versionOf(path, ...version)),
   }))
 
-/** Brings the engines that are missing, 90 MB at most, and says which there are. */
+/** Brings the engines that are missing, 90 MB at most, and gives the names of those that can't be had. */
 export async function bringEngines() {
   for (const { name, path } of findEngines()) if (!path) await aptGet(engines[name].package)
-  for (const { name, path } of findEngines())
-    console.log(path ? `${name}: ${path}` : `${name} is not here: no test compares the solver's bits in it`)
+  const found = findEngines()
+  for (const { name, path } of found) console.log(`${name}: ${path ?? 'not to be had'}`)
+  return found.filter(({ path }) => !path).map(({ name }) => name)
 }
 
 if (isMain(import.meta.url)) {

@@ -2,14 +2,10 @@
 import { join } from 'node:path'
 import { lateScripts } from './late-scripts.mjs'
 import { buildRegistry } from './registry.mjs'
-import { isMain, must, root } from './run.mjs'
+import { must, root } from './run.mjs'
 
-export async function build() {
-  await must('node', ['scripts/assemble.mjs'])
-  await must('contentlayer2', ['build'])
-  await buildRegistry()
-  await must('next', ['build'])
-  lateScripts(join(root, 'out'))
-}
-
-if (isMain(import.meta.url)) await build()
+await must('node', ['scripts/assemble.mjs'])
+await must('contentlayer2', ['build'])
+await buildRegistry()
+await must('next', ['build'])
+lateScripts(join(root, 'out'))

@@ -14,5 +14,9 @@ const all = [
 const stop = () => {
   for (const child of all) child.kill()
 }
-for (const child of all) child.on('exit', stop)
+for (const child of all)
+  child.on('exit', (code) => {
+    process.exitCode ||= code ?? 0
+    stop()
+  })
 process.on('SIGINT', stop).on('SIGTERM', stop)

@@ -17,10 +17,9 @@ export function lateScripts(folder) {
         return ''
       })
     if (scripts.length === 0) throw new Error(`${path} has no scripts as Next used to write them`)
-    writeFileSync(
-      path,
-      html.replace(/<\/body><\/html>$/, `<script>${loader(scripts)}</script></body></html>`),
-    )
+    const end = '</body></html>'
+    if (!html.endsWith(end)) throw new Error(`${path} does not end as Next used to end it`)
+    writeFileSync(path, `${html.slice(0, -end.length)}<script>${loader(scripts)}</script>${end}`)
   }
 }
 

@@ -59,13 +59,23 @@ async function directoryEntry() {
   }
 }
 
-export async function buildRegistry(output = served) {
+/** Does some work in a folder that is gone afterwards. */
+async function inFolder(work) {
   const folder = await mkdtemp(join(tmpdir(), 'registry-'))
-  const file = join(folder, 'registry.json')
-  await writeFile(file, JSON.stringify(await source()))
-  await rm(join(output, 'r'), { recursive: true, force: true })
-  await must('shadcn', ['build', file, '--cwd', root, '--output', join(output, 'r')])
-  await rm(folder, { recursive: true })
+  try {
+    return await work(folder)
+  } finally {
+    await rm(folder, { recursive: true })
+  }
+}
+
+export async function buildRegistry(output = served) {
+  await inFolder(async (folder) => {
+    const file = join(folder, 'registry.json')
+    await writeFile(file, JSON.stringify(await source()))
+    await rm(join(output, 'r'), { recursive: true, force: true })
+    await must('shadcn', ['build', file, '--cwd', root, '--output', join(output, 'r')])
+  })
   await writeFile(join(output, 'directory.json'), `${JSON.stringify(await directoryEntry(), null, 2)}\n`)
 }
 
@@ -77,12 +87,12 @@ async function readAll(folder) {
 }
 
 /** The names of files that a fresh build would change, add or drop. */
-export async function staleFiles() {
+async function staleFiles() {
   if (await takeTokens({ write: false })) return ['registry.json']
-  const folder = await mkdtemp(join(tmpdir(), 'registry-'))
-  await buildRegistry(folder)
-  const [now, then] = [await readAll(folder), await readAll(served)]
-  await rm(folder, { recursive: true })
+  const [now, then] = await inFolder(async (folder) => {
+    await buildRegistry(folder)
+    return [await readAll(folder), await readAll(served)]
+  })
   return [...new Set([...now.keys(), ...then.keys()])].filter((path) => now.get(path) !== then.get(path))
 }
 
@@ -95,7 +105,8 @@ if (isMain(import.meta.url)) {
       process.exit(1)
     }
   } else {
-    await takeTokens({ write: true })
+    // A build into another folder leaves what is committed as it is.
+    if (!argument) await takeTokens({ write: true })
     await buildRegistry(argument)
   }
 }

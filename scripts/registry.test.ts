@@ -4,7 +4,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { registryItemSchema, registrySchema } from 'shadcn/schema'
-import { expect, test } from 'vitest'
+import { expect, onTestFinished, test } from 'vitest'
 import { root } from './run.mjs'
 
 const served = join(root, 'public/r')
@@ -44,6 +44,7 @@ test('each item says what it is, whose, and where its docs are', async () => {
 
 test('the address given at build time is the only one in what is served', async () => {
   const folder = await mkdtemp(join(tmpdir(), 'registry-'))
+  onTestFinished(() => rm(folder, { recursive: true }))
   const SITE_URL = 'https://chips.example'
   await promisify(execFile)('node', ['scripts/registry.mjs', folder], {
     cwd: root,
@@ -58,7 +59,6 @@ test('the address given at build time is the only one in what is served', async 
   for (const file of files.filter((path) => path !== join('r', 'gravity-stack.json'))) {
     expect(await readFile(join(folder, file), 'utf8'), file).not.toContain('localhost')
   }
-  await rm(folder, { recursive: true })
 })
 
 test('the entry for the directory has all it asks for, and a square logo', async () => {

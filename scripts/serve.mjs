@@ -22,7 +22,7 @@ function headerRules() {
   }))
 }
 
-export function serve(port) {
+function serve(port) {
   if (!existsSync(out)) throw new Error('There is no out/ to serve yet. Run: npm run build')
   const rules = headerRules()
   const compress = compression()
@@ -49,7 +49,8 @@ export function serve(port) {
   return new Promise((resolve, reject) => server.once('error', reject).listen(port, () => resolve(server)))
 }
 
-if (isMain(import.meta.url)) {
+/** Serves until the process ends, and says where. */
+export async function serveSite() {
   // Pages and registry name their own address: served at another port, every copied command would be dead.
   const port = Number(new URL(siteUrl).port || 4000)
   await serve(port).catch((error) => {
@@ -60,3 +61,5 @@ if (isMain(import.meta.url)) {
   console.log(`Site:     http://localhost:${port}`)
   console.log(`Registry: http://localhost:${port}/r/gravity-stack.json`)
 }
+
+if (isMain(import.meta.url)) await serveSite()

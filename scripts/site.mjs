@@ -1,7 +1,9 @@
 // Builds the site and its registry, serves both, and says where.
 import { ready } from './ready.mjs'
-import { must, run } from './run.mjs'
+import { must } from './run.mjs'
 
 await ready()
 await must('node', ['scripts/build.mjs'])
-process.exitCode = await run('node', ['scripts/serve.mjs'])
+// Its packages are there by now. In this process, so that nothing goes on serving when it is ended.
+const { serveSite } = await import('./serve.mjs')
+await serveSite()

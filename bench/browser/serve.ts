@@ -50,7 +50,7 @@ export async function serve() {
   const bundles = Object.fromEntries(
     await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
   )
-  const observing = await script(`export { observe } from './observe'`, here, 'iife')
+  const observing = await script(`export { observe } from './observe'`, here, 'iife', { name: 'observer' })
   const styles = await postcss([tailwind()]).process(css, { from: join(here, 'page.css') })
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? '/', 'http://localhost')

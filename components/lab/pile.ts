@@ -1,6 +1,7 @@
-import { releasePose, releaseTime } from '@/registry/gravity-stack/drop'
+import { reach, releasePose, releaseTime } from '@/registry/gravity-stack/drop'
 import { createWorld } from '@/registry/gravity-stack/world'
 import { cornerRadius, type Shape } from '@/scenes/exact-distance'
+import { frame } from '@/scenes/scene'
 
 type PileOptions = {
   width: number
@@ -13,9 +14,6 @@ type PileOptions = {
   /** Another number, another drop; 0 gives the component's own. */
   seed: number
 }
-
-/** s */
-const frame = 1 / 60
 
 export type Pile = ReturnType<typeof createPile>
 
@@ -30,7 +28,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
     const shape = { ...shapes[chip], radius: cornerRadius(shapes[chip]) }
     const above = ids.map((id, other) => {
       const { x, y } = world.read(id)
-      return { x, y, reach: Math.hypot(shapes[other].width, shapes[other].height) / 2 }
+      return { x, y, reach: reach(shapes[other].width, shapes[other].height) }
     })
     const { walls, gravity } = world.scene
     const pose = releasePose(turn(chip), shape.width, shape.height, walls.width, gravity, above)

@@ -149,6 +149,9 @@ const FOLLOW = 0.03
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 14
+/** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
+const TOUCH_HOLD = 180
+const TOUCH_DRAG_START = 8
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 const GRAB_SAG = 4
 /** px/s, the most a chip keeps when it is let go. */
@@ -3632,10 +3635,8 @@ const LONGEST_FRAME = 0.05
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
-/** px that a pointer moves before a press is a drag, and ms that a finger rests before it holds instead of scrolls. */
+/** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-const TOUCH_DRAG_START = 8
-const TOUCH_HOLD = 180
 /** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100

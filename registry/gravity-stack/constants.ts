@@ -131,6 +131,9 @@ export const FOLLOW = 0.03
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
 export const GRAB_STRENGTH = 14
+/** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
+export const TOUCH_HOLD = 180
+export const TOUCH_DRAG_START = 8
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 export const GRAB_SAG = 4
 /** px/s, the most a chip keeps when it is let go. */

@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
+import { chipDistance, type Pose } from '../../scenes/exact-distance'
 import { STEP } from './constants'
-import { releasePose, releaseTime, scatter } from './drop'
+import { reach, releasePose, releaseTime, scatter } from './drop'
 
 const pose = (index: number, width = 80, height = 36, stage = 640, gravity = 2600) =>
   releasePose(index, width, height, stage, gravity, [])
@@ -67,12 +68,12 @@ describe('the drop', () => {
   })
 
   it('keeps clear of what is still above the stage, even when all fall at once', () => {
-    const there: { x: number; y: number; reach: number }[] = []
-    const reach = Math.hypot(80, 36) / 2
+    const chip = { width: 80, height: 36 }
+    const there: (Pose & { reach: number })[] = []
     for (const i of all.slice(0, 60)) {
-      const { x, y } = releasePose(i, 80, 36, 320, 2600, [...there])
-      for (const other of there) expect(Math.hypot(x - other.x, y - other.y)).toBeGreaterThan(36)
-      there.push({ x, y, reach })
+      const pose = releasePose(i, 80, 36, 320, 2600, [...there])
+      for (const other of there) expect(chipDistance(chip, pose, chip, other)).toBeGreaterThan(0)
+      there.push({ ...pose, reach: reach(80, 36) })
     }
   })
 

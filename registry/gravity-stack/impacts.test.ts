@@ -142,28 +142,29 @@ describe('a chip that lands', () => {
     }
   })
 
-  it.each([1, 2, 3])(
-    'loses no energy and gains none at e = 1 without friction, %i discs in a box',
-    (count) => {
-      const chips = Array.from({ length: count }, (_, i) => ({
-        width: 40,
-        height: 40,
-        radius: 20,
-        x: 120 + 180 * i,
-        y: 100 + 20 * i,
-        angle: 0,
-        vx: 300 - 200 * i,
-      }))
-      const options = { bounce: 1, friction: 0, bounceThreshold: 0, linearDamping: 0, angularDamping: 0 }
-      const { world, ids } = worldOf(chips, { ...options, sleep: false })
-      const put = energy(world, ids, chips)
-      for (let k = 0; k < 600; k++) {
-        world.step(frame)
-        expect(energy(world, ids, chips) / put).toBeLessThan(1 + 1e-9)
-      }
-      expect(energy(world, ids, chips) / put).toBeGreaterThan(count === 1 ? 1 - 1e-9 : 0.9)
-    },
-  )
+  it.each([
+    ['loses no energy', 1, 1 - 1e-9],
+    ['loses a tenth of its energy at most', 2, 0.9],
+    ['loses a tenth of its energy at most', 3, 0.9],
+  ])('%s and gains none in 10 s at e = 1 without friction, %i discs in a box', (_, count, least) => {
+    const chips = Array.from({ length: count }, (_, i) => ({
+      width: 40,
+      height: 40,
+      radius: 20,
+      x: 120 + 180 * i,
+      y: 100 + 20 * i,
+      angle: 0,
+      vx: 300 - 200 * i,
+    }))
+    const options = { bounce: 1, friction: 0, bounceThreshold: 0, linearDamping: 0, angularDamping: 0 }
+    const { world, ids } = worldOf(chips, { ...options, sleep: false })
+    const put = energy(world, ids, chips)
+    for (let k = 0; k < 600; k++) {
+      world.step(frame)
+      expect(energy(world, ids, chips) / put).toBeLessThan(1 + 1e-9)
+    }
+    expect(energy(world, ids, chips) / put).toBeGreaterThan(least)
+  })
 })
 
 describe('within one sub-step', () => {

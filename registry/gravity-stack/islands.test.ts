@@ -92,7 +92,7 @@ describe('a sleeping pile wakes', () => {
     for (const height of [240, 460]) {
       world.resize(stage.width, height)
       expect(world.resting).toBe(false)
-      expect(settle(world)).toBeLessThan(600)
+      expect(settle(world, 600)).toBeLessThan(600)
       expect(world.read(ids[0]).y).toBeCloseTo(height - 20, 1)
     }
   })
@@ -100,7 +100,7 @@ describe('a sleeping pile wakes', () => {
   it('when a wall comes in', () => {
     const { world, ids } = asleep([{ ...box, x: 600, y: floor - 20 }])
     world.resize(500, floor)
-    expect(settle(world)).toBeLessThan(600)
+    expect(settle(world, 600)).toBeLessThan(600)
     expect(world.read(ids[0]).x).toBeLessThan(470.1)
   })
 
@@ -114,7 +114,7 @@ describe('a sleeping pile wakes', () => {
     const { world, ids } = asleep(tower(3))
     world.reshape(ids[0], { width: 60, height: 60, radius: 0 })
     expect(world.resting).toBe(false)
-    expect(settle(world)).toBeLessThan(600)
+    expect(settle(world, 600)).toBeLessThan(600)
     expect(world.read(ids[0]).y).toBeCloseTo(floor - 30, 1)
     expect(world.read(ids[2]).y).toBeCloseTo(floor - 120, 1)
   })

@@ -1,6 +1,6 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { BOUNCE, FRICTION, GRAVITY } from './constants'
+import { BOUNCE, FRICTION, GRAVITY, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './world'
 
@@ -25,10 +25,8 @@ const LONGEST_FRAME = 0.05
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
-/** px that a pointer moves before a press is a drag, and ms that a finger rests before it holds instead of scrolls. */
+/** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-const TOUCH_DRAG_START = 8
-const TOUCH_HOLD = 180
 /** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
 const HOP = 36
 const HOP_GRAVITY = 100

@@ -1,6 +1,7 @@
-import { execFileSync } from 'node:child_process'
+import { execFile } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
-import { describe, expect, it } from 'vitest'
+import { promisify } from 'node:util'
+import { beforeAll, describe, expect, it } from 'vitest'
 import { exactScenes } from '../../scenes/exact'
 import { type Kind, pourChips } from '../../scenes/piles'
 import { type Chip, Film, frame, numbersPerChip, type Scene } from '../../scenes/scene'
@@ -8,6 +9,12 @@ import { seeded } from '../../scenes/seeded'
 import { fingerprint, pinned } from './pins'
 import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
 import { createWorld } from './world'
+
+/** What Node prints in a process of its own, where no other test has shaped the compiled code. */
+async function node(args: string[]) {
+  const options = { maxBuffer: 1e9, timeout: 50_000 }
+  return (await promisify(execFile)(process.execPath, args, options)).stdout
+}
 
 /** Runs a named scene as the benchmark does, with every frame kept. */
 function film(scene: Scene) {
@@ -167,13 +174,12 @@ describe('the same bits', () => {
 })
 
 describe('a step', () => {
-  it('allocates next to nothing: 60 chips awake, 600 steps, in a process of its own', () => {
+  it('allocates next to nothing: 60 chips awake, 600 steps, in a process of its own', async () => {
     const sample = fileURLToPath(new URL('./heap-sample.ts', import.meta.url))
-    const rounds: number[] = JSON.parse(
-      execFileSync(process.execPath, ['--import', 'tsx', sample], { encoding: 'utf8' }),
-    )
+    const rounds: number[] = JSON.parse(await node(['--import', 'tsx', sample]))
     // The least of the rounds: one in which a function is compiled anew is not the rule.
-    expect(Math.min(...rounds)).toBeGreaterThanOrEqual(0)
+    // A sampler that sees nothing would see this as well.
+    expect(Math.max(...rounds)).toBeGreaterThan(0)
     expect(Math.min(...rounds)).toBeLessThan(300)
   })
 })
@@ -196,10 +202,15 @@ describe('friction taken away', () => {
 })
 
 describe('what was compiled for one world', () => {
-  const script = fileURLToPath(new URL('./second-world.ts', import.meta.url))
-  const args = ['--trace-deopt', '--trace-opt', '--expose-gc', '--import', 'tsx', script]
-  const trace = execFileSync(process.execPath, args, { encoding: 'utf8', maxBuffer: 1e9 })
-  const [before, making, after] = trace.split(/<\/?another world>|<both gone>/)
+  let [before, making, after] = ['', '', '']
+
+  beforeAll(async () => {
+    const script = fileURLToPath(new URL('./second-world.ts', import.meta.url))
+    // In one thread, so that what is compiled when hangs on nothing else that runs.
+    const flags = ['--single-threaded', '--trace-deopt', '--trace-opt', '--expose-gc']
+    const trace = await node([...flags, '--import', 'tsx', script])
+    ;[before, making, after] = trace.split(/<\/?another world>|<both gone>/)
+  }, 60_000)
 
   it('is not thrown away when another is made', () => {
     // The functions that make worlds may be compiled anew, those that step them not; while they get warm they are.
@@ -210,11 +221,12 @@ describe('what was compiled for one world', () => {
 
   it('serves the next when both have gone', () => {
     const compiled = (part: string) =>
-      new Set([...part.matchAll(/completed optimizing .*<JSFunction (\w+)/g)].map(([, name]) => name))
+      new Set(
+        [...part.matchAll(/completed (?:compiling|optimizing) .*<JSFunction (\w+)/g)].map(([, name]) => name),
+      )
     const known = compiled(before)
     expect(known.size).toBeGreaterThan(30)
-    // A few are compiled better with what the second pour has taught, or late on a busy machine.
-    expect([...compiled(after)].filter((name) => known.has(name)).length).toBeLessThan(10)
+    expect([...compiled(after)].filter((name) => known.has(name))).toEqual([])
   })
 })
 
