@@ -57,7 +57,7 @@ export default async (phase) => ({
       }
     : { output: 'export' }),
   reactStrictMode: true,
-  serverExternalPackages: ['esbuild', 'react-docgen', 'shiki'],
+  serverExternalPackages: ['react-docgen', 'rolldown', 'shiki'],
   experimental: {
     // Every link here loads a document, so the part of Next's router that guesses routes has nothing to do.
     optimisticRouting: false,

@@ -15,7 +15,7 @@ const snippets = Object.fromEntries(
   heroEffects.map((effect) => [effect, <Code key={effect} code={heroSnippets[effect]} />]),
 ) as Record<(typeof heroEffects)[number], ReactNode>
 
-export default function Home() {
+export default async function Home() {
   return (
     <main id="content" className="mx-auto w-full max-w-[80rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
@@ -28,7 +28,7 @@ export default function Home() {
               {pitch.lead}
             </p>
             <ul className="mt-4 flex flex-wrap justify-center gap-x-6 gap-y-1 text-muted-foreground text-sm sm:text-base">
-              {price().map(([figure, of]) => (
+              {(await price()).map(([figure, of]) => (
                 <li key={of}>
                   <strong className="font-semibold text-foreground tabular-nums">{figure}</strong> {of}
                 </li>
@@ -54,7 +54,7 @@ export default function Home() {
         </Hero>
       </div>
       <dl className="mt-16 grid grid-cols-[minmax(0,1fr)] gap-x-10 gap-y-10 sm:grid-cols-2 lg:grid-cols-4">
-        {facts().map((fact) => (
+        {(await facts()).map((fact) => (
           <FactCell key={fact.title} {...fact} />
         ))}
       </dl>

@@ -1,5 +1,5 @@
 // Bytes a page has to load for each engine: what its adapter imports, bundled, minified, gzipped; WebAssembly counted.
-import { existsSync, readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import { root } from './run-job'
@@ -55,13 +55,12 @@ const imports: { name: string; code: string; wasm?: string }[] = [
   },
 ]
 
-/** React is on the page already; Node's own modules are only reached for outside a browser. */
-const elsewhere = /^(react|react-dom|module|fs|path|url|worker_threads)$|^(react\/|node:)/
+/** React and `cn` are on the page already; Node's own modules are only reached for outside a browser. */
+const elsewhere = /^(react|react-dom|cn|module|fs|path|url|worker_threads)$|^(react\/|node:)/
 
 export async function engineBytes(): Promise<Bytes[]> {
   const rows: Bytes[] = []
   for (const { name, code, wasm } of imports) {
-    if (code.includes('components/ui') && !existsSync(join(root, 'components/ui/gravity-stack.tsx'))) continue
     const built = await script(code, root, 'esm', { platform: 'browser', external: elsewhere }).catch(
       (error: Error) => console.error(`${name} is not weighed: ${error.message}`),
     )

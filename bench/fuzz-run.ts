@@ -1,9 +1,9 @@
 import { createWorld } from '../registry/gravity-stack/world'
-import { chipDistance, type Pose, type Shape, stageDistance, worstOverlap } from '../scenes/exact-distance'
+import { worstOverlap } from '../scenes/exact-distance'
 import { type Check, dragFrames, type FuzzScene, sane } from '../scenes/fuzzed'
 import { massOf } from '../scenes/references'
 import { type Chip, frame } from '../scenes/scene'
-import { outsideOf } from './hard-run'
+import { hanging, outsideOf } from './hard-run'
 
 /** s that a scene without an end of its own is played. */
 const glimpse = 1.5
@@ -168,25 +168,7 @@ function atRest(
     if (!(deep <= restOverlap)) return failed('overlap', k, deep)
   }
   if (ask.hanging) {
-    const count = hanging(chips, poses, stage)
+    const count = hanging(chips, poses, stage, true)
     if (count > 0) return failed('hanging', k, count)
   }
-}
-
-/** Chips that no chain of touching chips (0.1 px) joins to the floor, or to a wall that one can be wedged against. */
-function hanging(chips: Shape[], poses: Pose[], stage: { width: number; height: number }) {
-  const near = 0.1
-  const carried = new Set<number>()
-  const queue = chips.flatMap((chip, i) => {
-    const { floor, left, right } = stageDistance(chip, poses[i], stage)
-    return Math.min(floor, left, right) < near ? [i] : []
-  })
-  for (let i = queue.pop(); i !== undefined; i = queue.pop()) {
-    if (carried.has(i)) continue
-    carried.add(i)
-    for (let j = 0; j < chips.length; j++) {
-      if (!carried.has(j) && chipDistance(chips[i], poses[i], chips[j], poses[j]) < near) queue.push(j)
-    }
-  }
-  return chips.length - carried.size
 }

@@ -3,7 +3,7 @@
 // The first failure of each check is shrunk to its smallest form and kept, named, in scenes/found.json, which the tests play.
 // --from starts at a later block of 2,000, --check looks at one property only, --dry keeps nothing,
 // --accept takes what the solver does today as what the tests hold it to.
-import { existsSync, readFileSync, writeFileSync } from 'node:fs'
+import { readFileSync, writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type Check, checks, type Found, fromJson, toJson } from '../scenes/fuzzed'
@@ -61,7 +61,7 @@ for (let index = Number(values.from), played = 0; played < scenes; index++) {
 for (const [check, count] of total) console.log(`${check}: ${count} of ${scenes}`)
 
 if (!values.dry) {
-  const found = existsSync(foundFile) ? load() : []
+  const found = load()
   for (const [check, index] of first) {
     const scene = smallest(check, seed, index)
     if (!scene || found.some((other) => toJson(other.scene) === toJson(scene))) continue

@@ -10,7 +10,7 @@ import {
 } from '../scenes/exact-distance'
 import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
-import { type Chip, frame } from '../scenes/scene'
+import { type Chip, driftOf, frame } from '../scenes/scene'
 
 /** Sub-steps of the run that others are held against. */
 const converged = 64
@@ -143,7 +143,7 @@ export function playHard(
     const kept = 1 - playHardScene(scene, seed, undefined, converged).loss
     figures.loss = Math.max(0, 1 - (1 - figures.loss) / kept)
   }
-  figures.hanging = hanging(living(), posesOf(before), stage)
+  figures.hanging = hanging(living(), posesOf(before), stage, false)
   figures.drift = driftOf(chips, before)
   return { figures, hash: world.hash() }
 }
@@ -155,21 +155,14 @@ export function outsideOf(shape: Shape, pose: Pose, stage: Stage) {
   return Math.max(0, -floor, fits ? Math.max(-left, -right) : 0)
 }
 
-function driftOf(chips: Chip[], states: Pose[]) {
-  return Math.max(
-    ...chips.map((chip, i) => {
-      const reach = Math.hypot(chip.width, chip.height) / 2
-      const turned = 2 * reach * Math.abs(Math.sin((states[i].angle - chip.angle) / 2))
-      return Math.hypot(states[i].x - chip.x, states[i].y - chip.y) + turned
-    }),
-  )
-}
-
-/** Chips that no chain of touching chips (0.1 px) joins to the floor. */
-function hanging(chips: Chip[], poses: Pose[], stage: Stage) {
+/** Chips that no chain of touching chips (0.1 px) joins to the floor, or, with `wedged`, to a wall. */
+export function hanging(chips: Shape[], poses: Pose[], stage: Stage, wedged: boolean) {
   const near = 0.1
   const carried = new Set<number>()
-  const queue = chips.flatMap((chip, i) => (stageDistance(chip, poses[i], stage).floor < near ? [i] : []))
+  const queue = chips.flatMap((chip, i) => {
+    const { floor, left, right } = stageDistance(chip, poses[i], stage)
+    return (wedged ? Math.min(floor, left, right) : floor) < near ? [i] : []
+  })
   for (let i = queue.pop(); i !== undefined; i = queue.pop()) {
     if (carried.has(i)) continue
     carried.add(i)

@@ -1,8 +1,7 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
-import { figure, looks } from '@/app/benchmarks/engines'
-import { isTie, type Results, verdicts } from '@/bench/report'
-import results from '@/bench/results/results.json'
+import { results, verdictWords } from '@/app/benchmarks/data'
+import { verdicts } from '@/bench/report'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
 import { heroEffects, heroSnippets } from './hero-snippets'
@@ -86,14 +85,12 @@ const page = (title: string, description: string, ...blocks: string[]) =>
 /** The twin of a page of ours, which has the same address with .md behind it. */
 const twinOf = (href: string) => `${siteUrl}${href}.md`
 
-const home = () =>
+const home = async () =>
   page(
     pitch.title,
     pitch.lead,
     add('gravity-stack'),
-    facts()
-      .map(({ figure, title, text }) => `- **${figure}** ${title}. ${text}`)
-      .join('\n'),
+    (await facts()).map(({ figure, title, text }) => `- **${figure}** ${title}. ${text}`).join('\n'),
     ...heroEffects.flatMap((effect) => [
       `## ${effect[0].toUpperCase()}${effect.slice(1)}`,
       fence('tsx', heroSnippets[effect]),
@@ -141,29 +138,16 @@ const benchmarks = () =>
     `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
     table(
       ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact', 'Frontier'],
-      verdicts(results as unknown as Results).map((verdict) => {
-        const { scene, measure, error, cost, asCheap, asExact, beaten } = verdict
-        const losers = [...new Set(beaten.map((point) => looks[point.engine].title))]
-        return [
-          `${scene.title}: ${scene.measures[measure].name}`,
-          `${figure(error)} ${scene.measures[measure].unit}`,
-          figure(cost),
-          asCheap
-            ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error`
-            : 'nobody is as cheap',
-          asExact ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost` : 'nobody',
-          isTie(verdict)
-            ? `tie: ${looks[asExact!.engine].title}`
-            : losers.length === 0
-              ? 'ours'
-              : `not ours: ${losers.join(', ')}`,
-        ]
+      verdicts(results).map((verdict) => {
+        const { scene, measure } = verdict
+        const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
+        return [`${scene.title}: ${scene.measures[measure].name}`, error, cost, asCheap, asExact, frontier]
       }),
     ),
   )
 
 /** Every page as Markdown, by the path of its twin. */
-export const twins: Record<string, () => string> = {
+export const twins: Record<string, () => string | Promise<string>> = {
   'index.md': home,
   'docs.md': index,
   'playground.md': playground,

@@ -61,6 +61,19 @@ export type Scene = {
 /** x, y, angle, vx, vy, spin */
 export const numbersPerChip = 6
 
+/** How far the furthest corner of any chip is from where it started, px; infinitely far from nowhere. */
+export function driftOf(chips: Chip[], poses: Pose[]) {
+  let worst = 0
+  for (const [i, chip] of chips.entries()) {
+    const { x, y, angle } = poses[i]
+    if (Number.isNaN(x + y + angle)) return Number.POSITIVE_INFINITY
+    const reach = Math.hypot(chip.width, chip.height) / 2
+    const turned = 2 * reach * Math.abs(Math.sin((angle - chip.angle) / 2))
+    worst = Math.max(worst, Math.hypot(x - chip.x, y - chip.y) + turned)
+  }
+  return worst
+}
+
 /** The state of every chip at every frame; frame 0 is the start. */
 export class Film {
   readonly frames: number
@@ -118,16 +131,10 @@ export class Film {
 
   /** How far the furthest corner of any chip is from where it started, px. */
   drift(index = this.frames) {
-    let worst = 0
-    for (let i = 0; i < this.chips.length; i++) {
-      const chip = this.chips[i]
-      const now = this.state(index, i)
-      const reach = Math.hypot(chip.width, chip.height) / 2
-      const turned = 2 * reach * Math.abs(Math.sin((now.angle - chip.angle) / 2))
-      worst = Math.max(worst, Math.hypot(now.x - chip.x, now.y - chip.y) + turned)
-      if (Number.isNaN(now.x + now.y + now.angle)) return Number.POSITIVE_INFINITY
-    }
-    return worst
+    return driftOf(
+      this.chips,
+      this.chips.map((_, i) => this.state(index, i)),
+    )
   }
 
   /**

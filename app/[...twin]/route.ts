@@ -15,5 +15,5 @@ export const generateStaticParams = () =>
 
 export async function GET(_request: Request, { params }: RouteContext<'/[...twin]'>) {
   const path = (await params).twin.join('/').replace(/^twins\//, '')
-  return new Response(twins[path](), { headers: { 'content-type': 'text/markdown; charset=utf-8' } })
+  return new Response(await twins[path](), { headers: { 'content-type': 'text/markdown; charset=utf-8' } })
 }

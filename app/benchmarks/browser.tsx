@@ -1,4 +1,4 @@
-import { existsSync, readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { ReactNode } from 'react'
 import type { BrowserResults, Drop, FrameCost, StageName, StageResult } from '@/bench/browser/results'
@@ -7,10 +7,8 @@ import { Table } from './table'
 
 const file = join(process.cwd(), 'bench/results/browser.json')
 
-/** What `npm run bench:browser` has measured last, if it has ever run. */
-const browserResults: BrowserResults | undefined = existsSync(file)
-  ? JSON.parse(readFileSync(file, 'utf8'))
-  : undefined
+/** What `npm run bench:browser` has measured last. */
+const browserResults: BrowserResults = JSON.parse(readFileSync(file, 'utf8'))
 
 const ms = (value: number) => (value < 0.01 ? '0' : value < 10 ? value.toFixed(2) : value.toFixed(1))
 const three = ({ median, p99, worst }: FrameCost) => `${ms(median)} / ${ms(p99)} / ${ms(worst)}`
@@ -128,12 +126,6 @@ const rows: Row[] = [
 const own: StageName = 'gravity-stack'
 
 export function InBrowser({ download }: { download: ReactNode }) {
-  if (!browserResults)
-    return (
-      <p className="max-w-3xl text-muted-foreground leading-relaxed">
-        Nothing is measured yet. This measures it: <Code>npm run bench:browser</Code>
-      </p>
-    )
   const { date, commit, machine, stages, versions } = browserResults
   const names = Object.keys(stages) as StageName[]
   return (

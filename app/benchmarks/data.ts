@@ -1,6 +1,6 @@
-import { frontier, points, type Results } from '@/bench/report'
+import { frontier, isTie, points, type Results, type Verdict } from '@/bench/report'
 import data from '@/bench/results/results.json'
-import { engineOrder, settingTitle } from './engines'
+import { engineOrder, figure, looks, settingTitle } from './engines'
 import type { FigureRow } from './plot-table'
 
 /** What `npm run bench` has measured. Large: not for the browser. */
@@ -45,4 +45,25 @@ export function allFigures(): Record<string, FigureRow[]> {
       return [plotName(scene, i), rows]
     }),
   )
+}
+
+/** What the claim says of a scene, in words. */
+export function verdictWords(verdict: Verdict) {
+  const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
+  const rival = (engine: string) => looks[engine].title
+  return {
+    error: `${figure(error)} ${scene.measures[measure].unit}`,
+    cost: figure(cost),
+    asCheap: asCheap
+      ? `${rival(asCheap.engine)}: ${figure(asCheap.factor)} × the error`
+      : 'nobody is as cheap',
+    asExact: asExact
+      ? `${rival(asExact.engine)}: ${figure(asExact.factor)} × the cost`
+      : 'nobody, at any setting',
+    frontier: isTie(verdict)
+      ? `tie: ${rival(asExact!.engine)}`
+      : beaten.length > 0
+        ? `not ours: ${[...new Set(beaten.map(({ engine }) => rival(engine)))].join(', ')}`
+        : 'ours',
+  }
 }

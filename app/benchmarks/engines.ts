@@ -33,7 +33,7 @@ export function settingTitle(setting: Record<string, number>) {
   return words.join(', ') || 'default'
 }
 
-/** Three significant digits; powers of ten where zeros would have to be counted. */
+/** Three significant digits; two and a power of ten where zeros would have to be counted. */
 export function figure(value: number | null | undefined): string {
   if (value === null || value === undefined) return '–'
   if (!Number.isFinite(value)) return '∞'
@@ -45,9 +45,8 @@ export function figure(value: number | null | undefined): string {
       ? Math.round(value).toLocaleString('en')
       : Number(text).toLocaleString('en', { maximumSignificantDigits: 3 })
   }
-  const power = Math.floor(Math.log10(size))
+  const [digit, power] = value.toExponential(1).split('e').map(Number)
   const digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
   const raised = `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((digit) => digits[Number(digit)]).join('')}`
-  const lead = (value / 10 ** power).toFixed(1)
-  return lead === '1.0' ? `10${raised}` : `${lead} · 10${raised}`
+  return digit === 1 ? `10${raised}` : `${digit.toFixed(1)} · 10${raised}`
 }

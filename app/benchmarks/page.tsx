@@ -1,11 +1,11 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import { isTie, ours, type Results, type Verdict, verdicts } from '@/bench/report'
+import { isTie, noise, ours, type Results, type Verdict, verdicts } from '@/bench/report'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { InBrowser } from './browser'
-import { defaultCosts, plotName, plotTitle, results, sizes } from './data'
+import { defaultCosts, plotName, plotTitle, results, sizes, verdictWords } from './data'
 import { Drawn } from './drawn'
 import { engineOrder, figure, looks, settingTitle } from './engines'
 import { Mark, Markers } from './plot'
@@ -289,11 +289,7 @@ function Download({ file }: { file: string }) {
 
 /** On what kind of machine, and in what kind of run. */
 const circumstances = [
-  results.minutes === undefined
-    ? 'on a machine that had other work too'
-    : results.resumed
-      ? 'in several sittings'
-      : `in one run of ${Math.round(results.minutes)} minutes`,
+  results.resumed ? 'in several sittings' : `in one run of ${Math.round(results.minutes)} minutes`,
   ...(results.kept > 0
     ? [`${Math.round(100 * results.kept)} % of the films, which come out the same, from runs before`]
     : []),
@@ -394,29 +390,22 @@ function settingsByEngine(rows: Results['missing']) {
 }
 
 function verdictRow(verdict: Verdict): ReactNode[] {
-  const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
-  const { name, unit } = scene.measures[measure]
-  const losers = [...new Set(beaten.map((point) => looks[point.engine].title))]
+  const { scene, measure } = verdict
+  const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
   return [
     <span key="scene">
       {scene.title}
       <span className="font-normal text-muted-foreground">
-        {scene.measures.length > 1 ? `: ${name}` : ''}
+        {scene.measures.length > 1 ? `: ${scene.measures[measure].name}` : ''}
       </span>
     </span>,
-    <span key="error" className="whitespace-nowrap">{`${figure(error)} ${unit}`}</span>,
-    figure(cost),
-    asCheap ? `${looks[asCheap.engine].title}: ${figure(asCheap.factor)} × the error` : 'nobody is as cheap',
-    asExact
-      ? `${looks[asExact.engine].title}: ${figure(asExact.factor)} × the cost`
-      : 'nobody, at any setting',
-    isTie(verdict) ? (
-      `tie: ${looks[asExact!.engine].title}`
-    ) : beaten.length === 0 ? (
-      'ours'
-    ) : (
-      <strong key="lost">{`not ours: ${losers.join(', ')}`}</strong>
-    ),
+    <span key="error" className="whitespace-nowrap">
+      {error}
+    </span>,
+    cost,
+    asCheap,
+    asExact,
+    frontier.startsWith('not') ? <strong key="lost">{frontier}</strong> : frontier,
   ]
 }
 
@@ -559,9 +548,6 @@ const sizeTable = {
 
 const costOf = (engine: string, chips: number) =>
   defaultCosts.find((row) => row.engine === engine && row.chips === chips)?.cost
-/** Less than this is noise. */
-const clearly = 1.05
-
 const cheaperTable = {
   label: 'Who is cheaper, by number of chips',
   head: ['What is going on', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
@@ -578,7 +564,7 @@ const cheaperTable = {
       if (!own) return '–'
       const shares = engineOrder
         .map((engine) => ({ engine, share: (costOf(engine, size)?.[phase] ?? Infinity) / own[phase] }))
-        .filter(({ engine, share }) => engine !== ours && share * clearly < 1)
+        .filter(({ engine, share }) => engine !== ours && share * noise < 1)
         .toSorted((a, b) => a.share - b.share)
       return shares.length === 0
         ? 'nobody'

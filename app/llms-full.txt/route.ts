@@ -3,7 +3,8 @@ import { componentFile, componentSource } from '@/lib/source'
 
 export const dynamic = 'force-static'
 
-export function GET() {
+export async function GET() {
   const source = `# ${componentFile}\n\n\`\`\`tsx\n${componentSource()}\`\`\`\n`
-  return new Response([...Object.values(twins).map((twin) => twin()), source].join('\n'))
+  const pages = await Promise.all(Object.values(twins).map((twin) => twin()))
+  return new Response([...pages, source].join('\n'))
 }

@@ -1,19 +1,23 @@
 'use client'
 
-import { useId, useState } from 'react'
+import { useState } from 'react'
 import { playHardScene, type Watch } from '@/bench/hard-run'
 import { type HardFigures, hardScenes } from '@/scenes/hard'
 import { chipColours, drawChip, drawLine } from './draw'
 import { Figure } from './figure'
 import { named } from './named'
+import { ScenePicker } from './scene-picker'
 import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 /** The scenes that break solvers, played by the component's solver in this browser, each figure beside its bound. */
 export function HardScenesFigure() {
-  const id = useId()
   const [name, setName] = useState('dragged-through-everything')
   const [seed, setSeed] = useState(1)
+  const pick = (name: string, seed: number) => {
+    setName(name)
+    setSeed(seed)
+  }
   const scene = hardScenes.find((candidate) => candidate.name === name)!
   const run = useLazy(() => {
     const frames: { states: Parameters<Watch>[1]; alive: boolean[]; width: number; height: number }[] = []
@@ -58,33 +62,7 @@ export function HardScenesFigure() {
         })
       }
     >
-      <div className="flex min-w-0 flex-1 basis-64 flex-col gap-1.5">
-        <label htmlFor={`${id}-scene`}>Scene</label>
-        <select
-          id={`${id}-scene`}
-          value={name}
-          onChange={(event) => {
-            setName(event.target.value)
-            setSeed(1)
-          }}
-          className="w-full rounded-md border bg-background px-3 py-2"
-        >
-          {hardScenes.map((candidate) => (
-            <option key={candidate.name} value={candidate.name}>
-              {candidate.title}
-            </option>
-          ))}
-        </select>
-      </div>
-      {scene.seeds > 1 && (
-        <button
-          type="button"
-          onClick={() => setSeed((seed % scene.seeds) + 1)}
-          className="rounded-md border px-3 py-2 tabular-nums hover:bg-muted"
-        >
-          Seed {seed} of {scene.seeds}: next
-        </button>
-      )}
+      <ScenePicker scenes={hardScenes} scene={scene} seed={seed} onPick={pick} />
     </Figure>
   )
 }

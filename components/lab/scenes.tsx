@@ -1,11 +1,12 @@
 'use client'
 
-import { useId, useState } from 'react'
+import { useState } from 'react'
 import { scenes } from '@/scenes'
 import type { Scene } from '@/scenes/scene'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
 import { filmOf } from './film'
+import { ScenePicker } from './scene-picker'
 import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
@@ -13,9 +14,12 @@ import { useLazy } from './use-lazy'
 const shown = scenes.filter((scene) => scene.build(1).length <= 60)
 
 export function ScenesFigure() {
-  const id = useId()
   const [name, setName] = useState('pour-mixed-60')
   const [seed, setSeed] = useState(1)
+  const pick = (name: string, seed: number) => {
+    setName(name)
+    setSeed(seed)
+  }
   const scene: Scene = shown.find((candidate) => candidate.name === name) ?? shown[0]
   const film = useLazy(() => filmOf(scene, seed), [scene, seed])
   const measured = useLazy(() => scene.measure(film()), [scene, seed])
@@ -49,33 +53,7 @@ export function ScenesFigure() {
         ))
       }
     >
-      <div className="flex min-w-0 flex-1 basis-64 flex-col gap-1.5">
-        <label htmlFor={`${id}-scene`}>Scene</label>
-        <select
-          id={`${id}-scene`}
-          value={name}
-          onChange={(event) => {
-            setName(event.target.value)
-            setSeed(1)
-          }}
-          className="w-full rounded-md border bg-background px-3 py-2"
-        >
-          {shown.map((candidate) => (
-            <option key={candidate.name} value={candidate.name}>
-              {candidate.title}
-            </option>
-          ))}
-        </select>
-      </div>
-      {scene.seeds > 1 && (
-        <button
-          type="button"
-          onClick={() => setSeed((seed % scene.seeds) + 1)}
-          className="rounded-md border px-3 py-2 tabular-nums hover:bg-muted"
-        >
-          Seed {seed} of {scene.seeds}: next
-        </button>
-      )}
+      <ScenePicker scenes={shown} scene={scene} seed={seed} onPick={pick} />
     </Figure>
   )
 }

@@ -2,9 +2,11 @@ import { execFile } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import { beforeAll, describe, expect, it } from 'vitest'
+import { ours } from '../../bench/engines/ours'
+import { filmScene } from '../../bench/film'
 import { exactScenes } from '../../scenes/exact'
 import { type Kind, pourChips } from '../../scenes/piles'
-import { type Chip, Film, frame, numbersPerChip, type Scene } from '../../scenes/scene'
+import { type Chip, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { fingerprint, pinned } from './pins'
 import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
@@ -16,24 +18,10 @@ async function node(args: string[]) {
   return (await promisify(execFile)(process.execPath, args, options)).stdout
 }
 
-/** Runs a named scene as the benchmark does, with every frame kept. */
-function film(scene: Scene) {
-  const chips = scene.build(1)
-  const { world, ids } = worldOf(chips, { ...scene.conditions, ...scene, sleep: false })
-  const film = new Film(scene, chips)
-  for (let k = 1; k <= film.frames; k++) {
-    world.step(frame)
-    readAll(world, ids).forEach(({ x, y, angle, vx, vy, spin }, i) => {
-      film.at(k).set([x, y, angle, vx, vy, spin], i * numbersPerChip)
-    })
-  }
-  return film
-}
-
 describe('what has one right answer', () => {
   for (const scene of exactScenes) {
     it(`${scene.title}, as the closed form says`, () => {
-      const errors = scene.measure(film(scene))
+      const errors = scene.measure(filmScene(ours, scene, {}).film)
       for (const [i, { target }] of scene.measures.entries()) expect(errors[i]).toBeLessThanOrEqual(target!)
     })
   }
@@ -41,7 +29,7 @@ describe('what has one right answer', () => {
   it('more sub-steps bring it nearer to a topple', () => {
     const topple = exactScenes.find(({ name }) => name === 'topple')!
     const errors = [2, 8, 32].map((substeps) =>
-      Math.max(...topple.measure(film({ ...topple, substeps } as Scene))),
+      Math.max(...topple.measure(filmScene(ours, topple, { substeps }).film)),
     )
     expect(errors[1]).toBeLessThan(errors[0])
     expect(errors[2]).toBeLessThan(errors[1])

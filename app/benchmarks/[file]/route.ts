@@ -1,4 +1,4 @@
-import { existsSync, readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { allFigures } from '../data'
 
 const figures = 'figures.json'
@@ -15,10 +15,7 @@ const types: Record<string, string> = {
 export const dynamic = 'force-static'
 export const dynamicParams = false
 const pathOf = (file: string) => `bench/results/${file}`
-export const generateStaticParams = () =>
-  Object.keys(types)
-    .filter((file) => file === figures || existsSync(pathOf(file)))
-    .map((file) => ({ file }))
+export const generateStaticParams = () => Object.keys(types).map((file) => ({ file }))
 
 export async function GET(_request: Request, { params }: RouteContext<'/benchmarks/[file]'>) {
   const { file } = await params
