@@ -73,8 +73,12 @@ const ROUNDS = 512
 const TOLERANCE_SHARE = 0.01
 const TOLERANCE_LEAST = 0.05
 const TOLERANCE_MOST = 5
-/** px/s; an island in which nothing is faster, or gains more in a sub-step, is in balance: the step's other sub-steps would repeat this one. */
+/**
+ * px/s, and px/s²: an island in which nothing is faster, or accelerates more, is in balance: the step's other sub-steps would repeat
+ * this one. What starts no faster than that would count as at rest anyway: half a pixel in half a second.
+ */
 const BALANCE = 0.1
+const BALANCE_GAIN = 4
 /** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
 const TOLERANCE_STILL = 0.003
 
@@ -1005,6 +1009,8 @@ interface Hold {
   x: number
   y: number
   samples: { x: number; y: number; seconds: number }[]
+  /** s simulated since the pointer last moved. */
+  idle: number
   /** Impulse of a sub-step. */
   impulseX: number
   impulseY: number
@@ -1034,6 +1040,7 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
     x,
     y,
     samples: [],
+    idle: 0,
     impulseX: 0,
     impulseY: 0,
     rx: 0,
@@ -1069,6 +1076,7 @@ function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): vo
   const ry = arm[1]
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
+  hold.idle += h
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
@@ -1141,7 +1149,10 @@ const THROW_WINDOW = 0.08
 function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.x = x
   hold.y = y
+  hold.idle = 0
   const samples = hold.samples
+  // A clock that goes back begins anew.
+  if (samples.length > 0 && samples[samples.length - 1]!.seconds > seconds) samples.length = 0
   samples.push({ x, y, seconds })
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
@@ -1151,7 +1162,7 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
-  if (samples.length > 1) {
+  if (samples.length > 1 && hold.idle < THROW_WINDOW) {
     let t = 0
     let x = 0
     let y = 0
@@ -1287,6 +1298,8 @@ class Scene {
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
+  uneven = 0
   holds: Hold[] = []
 }
 
@@ -1881,16 +1894,20 @@ function resolve(impacts: Impacts, scene: Scene): void {
   const d = contacts.data
   // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
   const share = 1 - scene.bounce * scene.bounce
-  for (let n = 0; n < IMPACT_SWEEPS; n++) {
+  // Of unequal masses each sweep brings a small part, so that it seems to stand still.
+  const unequal = scene.uneven > UNEVEN
+  let further = unequal ? scene.relaxation : 1
+  const slower = unequal ? Math.sqrt(scene.uneven) : 1
+  for (let n = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN)); n > 0; n--) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
-    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest)
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
       const c = impacts.list[i]
-      hit(scene, c)
+      hit(scene, c, further)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
       if (change > impacts.passOn) {
@@ -1899,6 +1916,8 @@ function resolve(impacts: Impacts, scene: Scene): void {
       }
     }
     impacts.sweeps += impacts.count
+    // Taken further each time, it would run away.
+    if (most > 8 * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }
   keepEnergy(impacts, scene)
@@ -1913,7 +1932,7 @@ function resolve(impacts: Impacts, scene: Scene): void {
 }
 
 /** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
-function hit(scene: Scene, c: number): void {
+function hit(scene: Scene, c: number, further: number): void {
   const { friction } = scene
   const { data: d, pair } = scene.contacts
   const s = scene.bodies.state
@@ -1937,7 +1956,10 @@ function hit(scene: Scene, c: number): void {
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     if (d[p + GOAL] === -Infinity) continue
     const old = d[p + HIT]
-    const now = Math.max(0, old + (d[p + GOAL] - speed - d[p + NB] * spinB + d[p + NA] * spinA) / d[p + K])
+    const now = Math.max(
+      0,
+      old + (further * (d[p + GOAL] - speed - d[p + NB] * spinB + d[p + NA] * spinA)) / d[p + K],
+    )
     d[p + HIT] = now
     const by = now - old
     load += now
@@ -2378,7 +2400,8 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       const tb = d[k + TB]
       const old = d[k + DRAG]
       const limit = friction * load
-      t = old - relaxation * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      t =
+        old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
@@ -2408,6 +2431,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
 function move(scene: Scene, list: Int32Array, from: number, to: number): number {
   const { state, motion, shape } = scene.bodies
   const { gravity, h } = scene
+  const least = BALANCE_GAIN * h
   let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -2433,7 +2457,7 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
     // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
     const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
-    if (Math.max(speed, gain) > BALANCE) active++
+    if (Math.max(speed - BALANCE, gain - least) > 0) active++
     capSpeed(state, s)
   }
   return active
@@ -2769,7 +2793,11 @@ function rest(islands: Islands, scene: Scene): void {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
-      if (still[r + 3] >= REST_TIME) ready = true
+      if (still[r + 3] >= REST_TIME) {
+        // Struck a moment ago it has hardly gone anywhere yet.
+        if (moving(scene, i)) still[r + 3] = 0
+        else ready = true
+      }
       // What is to lie as it does is looked at from near once more: geometry may lag.
       else if (Math.abs(still[r + 3] - 0.5 * REST_TIME) < 0.5 * STEP) {
         for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2836,6 +2864,14 @@ function rest(islands: Islands, scene: Scene): void {
   }
 }
 
+/** Whether body `i` is faster than creep, and than friction would stop within the distance that rest allows. */
+function moving({ bodies: { state, shape }, friction, gravity }: Scene, i: number): boolean {
+  const s = i * STATE
+  const speed =
+    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+  return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
+}
+
 /** Whether the group of body `i` could sleep, and could not for long. */
 function drowsy({ parent, reach }: Islands, i: number): boolean {
   const rested = -reach[find(parent, i)]
@@ -2882,8 +2918,6 @@ class Simulation extends Scene {
   flightSpinAir: Air
   /** Of the present island, before and after its step. */
   energies: Float64Array = new Float64Array(4)
-  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
-  uneven = 0
   /** Number of the present sweep. */
   round = 0
 
@@ -2958,11 +2992,21 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const speed = fastest(simulation, b0, b1)
   const { uneven } = simulation
   const still = speed <= BALANCE
+  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
+  const unequal = uneven > UNEVEN
+  const crushing = unequal && speed > LIVELY
+  const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
-    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
-  const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
+    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed)) /
+      (crushing ? Math.sqrt(uneven) : 1)
+  // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
+  const relaxation = crushing
+    ? 2 / (1 + 1 / Math.sqrt(1 + most))
+    : c1 - c0 > CROWDED && speed > CREEP
+      ? RELAXATION
+      : 1
   const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
   // A hand can press harder than any chip: what it does is solved to the end.
   let sweeps =
@@ -2971,8 +3015,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       : speed > LIVELY
         ? SWEEPS_LIVELY
         : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
-  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
-  if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
+  if (unequal) sweeps = Math.max(sweeps, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
   // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
   const dull = simulation.bounce < LIVELY_BOUNCE
   const free = grabbed.length > 0 || (dull && speed < LIVELY)
@@ -2994,6 +3037,9 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)
+      // Where friction or a third chip has a say in it, it may run away.
+      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > 8 * speed)
+        simulation.relaxation = 1
       stats.sweeps++
     }
     const active = move(simulation, islands.bodies, b0, b1)
@@ -3002,8 +3048,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   let deep = separate(simulation, live, c0, end)
   if (deep > 0 && speed <= JAMMED) {
-    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--)
-      deep = separate(simulation, live, c0, end)
+    for (let n = Math.max(PARTINGS, most); n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
     if (deep > 0) relieve(simulation, b0, b1, c0, end)
   }
   for (let n = b0; n < b1; n++) {
@@ -3075,7 +3120,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
       shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
     if (speed > most) most = speed
   }
-  simulation.uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
+  simulation.uneven = Math.min(1e6, lightest / heaviest) | 0
   return most
 }
 
@@ -3514,7 +3559,7 @@ function createWorld(options: WorldOptions) {
 const FAR = 1e6
 
 function finite(value: number | undefined, otherwise = 0): number {
-  return value !== undefined && value - value === 0 ? value : otherwise
+  return typeof value === 'number' && value - value === 0 ? value : otherwise
 }
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */

@@ -136,6 +136,8 @@ export class Scene {
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
+  uneven = 0
   holds: Hold[] = []
 }
 

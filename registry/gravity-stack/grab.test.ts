@@ -212,6 +212,22 @@ describe('a chip let go', () => {
     }
   })
 
+  it('keeps its own speed when the pointer has stood still, or its clock has gone back', () => {
+    for (const back of [false, true]) {
+      const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+      const grab = world.grab(ids[0], 320, 100)
+      for (let k = 0; k < 10; k++) {
+        grab.moveTo(320 + 16 * k, 100, k * frame)
+        world.step(frame)
+      }
+      if (back) grab.moveTo(464, 100, 0)
+      else run(world, 0.5)
+      const { vx } = world.read(ids[0])
+      grab.release()
+      expect(world.read(ids[0]).vx).toBe(vx)
+    }
+  })
+
   it('falls straight down if it hung still', () => {
     const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
     const grab = world.grab(ids[0], 320, 100)

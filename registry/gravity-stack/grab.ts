@@ -32,6 +32,8 @@ export interface Hold {
   x: number
   y: number
   samples: { x: number; y: number; seconds: number }[]
+  /** s simulated since the pointer last moved. */
+  idle: number
   /** Impulse of a sub-step. */
   impulseX: number
   impulseY: number
@@ -61,6 +63,7 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
     x,
     y,
     samples: [],
+    idle: 0,
     impulseX: 0,
     impulseY: 0,
     rx: 0,
@@ -96,6 +99,7 @@ export function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: numb
   const ry = arm[1]
   const m = s[i + INV_MASS]
   const n = s[i + INV_INERTIA]
+  hold.idle += h
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
@@ -168,7 +172,10 @@ const THROW_WINDOW = 0.08
 export function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.x = x
   hold.y = y
+  hold.idle = 0
   const samples = hold.samples
+  // A clock that goes back begins anew.
+  if (samples.length > 0 && samples[samples.length - 1]!.seconds > seconds) samples.length = 0
   samples.push({ x, y, seconds })
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
@@ -178,7 +185,7 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
-  if (samples.length > 1) {
+  if (samples.length > 1 && hold.idle < THROW_WINDOW) {
     let t = 0
     let x = 0
     let y = 0

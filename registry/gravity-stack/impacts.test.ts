@@ -222,6 +222,19 @@ describe('what a bullet knocks away', () => {
   })
 })
 
+it('a large card that lands on a small one goes 0.3 px into it at most, however it comes', () => {
+  const small = { width: 24, height: 24, radius: 6, x: 320, y: stage.height - 12, angle: 0 }
+  for (let drop = 0; drop <= 120; drop += 15) {
+    for (const vy of [0, 600]) {
+      for (const aside of [0, 7]) {
+        const y = stage.height - 24 - drop - 80
+        const chips = [small, { width: 160, height: 160, radius: 6, x: 320 + aside, y, angle: 0, vy }]
+        expect(deepest(chips, 60), `from ${drop} px at ${vy} px/s`).toBeLessThan(0.3)
+      }
+    }
+  }
+})
+
 it('a chip that falls ever faster meets the floor in the step that takes it there', () => {
   // Each starts a little higher: some come down to where their speed alone would just not take them.
   for (let from = 0; from < 40; from++) {
@@ -235,11 +248,11 @@ it('a chip that falls ever faster meets the floor in the step that takes it ther
   }
 })
 
-/** px, the deepest that these chips are in each other or a wall after any of the first eight frames. */
-function deepest(chips: Chip[]) {
+/** px, the deepest that these chips are in each other or a wall after any of the first frames. */
+function deepest(chips: Chip[], frames = 8) {
   const { world, ids } = worldOf(chips)
   let most = 0
-  for (let k = 0; k < 8; k++) {
+  for (let k = 0; k < frames; k++) {
     world.step(frame)
     most = Math.max(most, overlap(world, ids, chips))
   }

@@ -22,6 +22,8 @@ import {
   IMPACT_TOLERANCE,
   IMPACT_TOUCH,
   MARGIN,
+  SWEEPS_UNEVEN,
+  UNEVEN,
 } from './constants'
 import {
   CHANGE,
@@ -209,16 +211,20 @@ export function resolve(impacts: Impacts, scene: Scene): void {
   const d = contacts.data
   // What dull chips leave unfinished the next sub-step would have swallowed anyway; lively ones would miss it.
   const share = 1 - scene.bounce * scene.bounce
-  for (let n = 0; n < IMPACT_SWEEPS; n++) {
+  // Of unequal masses each sweep brings a small part, so that it seems to stand still.
+  const unequal = scene.uneven > UNEVEN
+  let further = unequal ? scene.relaxation : 1
+  const slower = unequal ? Math.sqrt(scene.uneven) : 1
+  for (let n = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN)); n > 0; n--) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
-    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest)
+    const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
       const c = impacts.list[i]
-      hit(scene, c)
+      hit(scene, c, further)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
       if (change > impacts.passOn) {
@@ -227,6 +233,8 @@ export function resolve(impacts: Impacts, scene: Scene): void {
       }
     }
     impacts.sweeps += impacts.count
+    // Taken further each time, it would run away.
+    if (most > 8 * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }
   keepEnergy(impacts, scene)
@@ -241,7 +249,7 @@ export function resolve(impacts: Impacts, scene: Scene): void {
 }
 
 /** One contact of the cluster: normals to their goals, friction within its cone. Leaves the change of velocity, px/s. */
-function hit(scene: Scene, c: number): void {
+function hit(scene: Scene, c: number, further: number): void {
   const { friction } = scene
   const { data: d, pair } = scene.contacts
   const s = scene.bodies.state
@@ -265,7 +273,10 @@ function hit(scene: Scene, c: number): void {
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     if (d[p + GOAL] === -Infinity) continue
     const old = d[p + HIT]
-    const now = Math.max(0, old + (d[p + GOAL] - speed - d[p + NB] * spinB + d[p + NA] * spinA) / d[p + K])
+    const now = Math.max(
+      0,
+      old + (further * (d[p + GOAL] - speed - d[p + NB] * spinB + d[p + NA] * spinA)) / d[p + K],
+    )
     d[p + HIT] = now
     const by = now - old
     load += now

@@ -27,6 +27,20 @@ describe('a pile falls asleep', () => {
     expect(world.resting).toBe(true)
   })
 
+  it('but for a chip that was struck in that very moment, which flies off as any other', () => {
+    const lying = { ...pill, x: 1000, y: floor - 15 }
+    const struckAfter = (frames: number) => {
+      const { world, ids } = worldOf([lying], { width: 5000 })
+      for (let k = 0; k < frames; k++) world.step(frame)
+      world.add({ ...lying, x: 920 - 1500 * frame * 2.9, vx: 1500 })
+      run(world, 2)
+      return world.read(ids[0]).x - lying.x
+    }
+    const far = struckAfter(10)
+    expect(far).toBeGreaterThan(200)
+    for (let frames = 20; frames < 34; frames++) expect(struckAfter(frames) / far).toBeCloseTo(1, 1)
+  })
+
   it('with all its speed gone', () => {
     const { world, ids } = asleep(tower(3))
     for (const { vx, vy, spin } of readAll(world, ids)) expect([vx, vy, spin]).toEqual([0, 0, 0])

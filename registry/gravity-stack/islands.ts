@@ -223,7 +223,11 @@ export function rest(islands: Islands, scene: Scene): void {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
       still[r + 3] += STEP
-      if (still[r + 3] >= REST_TIME) ready = true
+      if (still[r + 3] >= REST_TIME) {
+        // Struck a moment ago it has hardly gone anywhere yet.
+        if (moving(scene, i)) still[r + 3] = 0
+        else ready = true
+      }
       // What is to lie as it does is looked at from near once more: geometry may lag.
       else if (Math.abs(still[r + 3] - 0.5 * REST_TIME) < 0.5 * STEP) {
         for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -288,6 +292,14 @@ export function rest(islands: Islands, scene: Scene): void {
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
     }
   }
+}
+
+/** Whether body `i` is faster than creep, and than friction would stop within the distance that rest allows. */
+function moving({ bodies: { state, shape }, friction, gravity }: Scene, i: number): boolean {
+  const s = i * STATE
+  const speed =
+    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+  return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
 }
 
 /** Whether the group of body `i` could sleep, and could not for long. */

@@ -34,6 +34,7 @@ import { COUNT, DISTANCE, GAP_NOW, LEAD, RATE_NOW, touch, WIDEST } from './colli
 import {
   AHEAD,
   BALANCE,
+  BALANCE_GAIN,
   CLOSING_SHARE,
   CRUSHED,
   DEEP,
@@ -50,6 +51,7 @@ import {
   PUSH,
   PUSH_LAST,
   REFRESH,
+  RELAXATION,
   ROLLING,
   ROLLING_SHARE,
   SLOP,
@@ -444,7 +446,8 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       const tb = d[k + TB]
       const old = d[k + DRAG]
       const limit = friction * load
-      t = old - relaxation * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      t =
+        old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
@@ -474,6 +477,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
 export function move(scene: Scene, list: Int32Array, from: number, to: number): number {
   const { state, motion, shape } = scene.bodies
   const { gravity, h } = scene
+  const least = BALANCE_GAIN * h
   let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -499,7 +503,7 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
     // Both sums are made: one that is made first when a body comes to rest throws the compiled code away.
     const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
-    if (Math.max(speed, gain) > BALANCE) active++
+    if (Math.max(speed - BALANCE, gain - least) > 0) active++
     capSpeed(state, s)
   }
   return active

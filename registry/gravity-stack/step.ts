@@ -92,8 +92,6 @@ export class Simulation extends Scene {
   flightSpinAir: Air
   /** Of the present island, before and after its step. */
   energies: Float64Array = new Float64Array(4)
-  /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed, up to SWEEPS_UNEVEN. */
-  uneven = 0
   /** Number of the present sweep. */
   round = 0
 
@@ -168,11 +166,21 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const speed = fastest(simulation, b0, b1)
   const { uneven } = simulation
   const still = speed <= BALANCE
+  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
+  const unequal = uneven > UNEVEN
+  const crushing = unequal && speed > LIVELY
+  const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
-    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed))
-  const relaxation = c1 - c0 > CROWDED && speed > CREEP ? RELAXATION : 1
+    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed)) /
+      (crushing ? Math.sqrt(uneven) : 1)
+  // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
+  const relaxation = crushing
+    ? 2 / (1 + 1 / Math.sqrt(1 + most))
+    : c1 - c0 > CROWDED && speed > CREEP
+      ? RELAXATION
+      : 1
   const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
   // A hand can press harder than any chip: what it does is solved to the end.
   let sweeps =
@@ -181,8 +189,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       : speed > LIVELY
         ? SWEEPS_LIVELY
         : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
-  // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
-  if (uneven > UNEVEN) sweeps = Math.max(sweeps, Math.min(uneven, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
+  if (unequal) sweeps = Math.max(sweeps, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
   // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
   const dull = simulation.bounce < LIVELY_BOUNCE
   const free = grabbed.length > 0 || (dull && speed < LIVELY)
@@ -204,6 +211,9 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)
+      // Where friction or a third chip has a say in it, it may run away.
+      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > 8 * speed)
+        simulation.relaxation = 1
       stats.sweeps++
     }
     const active = move(simulation, islands.bodies, b0, b1)
@@ -212,8 +222,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   let deep = separate(simulation, live, c0, end)
   if (deep > 0 && speed <= JAMMED) {
-    for (let n = Math.max(PARTINGS, uneven); n > 1 && deep > 0; n--)
-      deep = separate(simulation, live, c0, end)
+    for (let n = Math.max(PARTINGS, most); n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
     if (deep > 0) relieve(simulation, b0, b1, c0, end)
   }
   for (let n = b0; n < b1; n++) {
@@ -285,7 +294,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
       shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
     if (speed > most) most = speed
   }
-  simulation.uneven = Math.min(SWEEPS_UNEVEN, lightest / heaviest) | 0
+  simulation.uneven = Math.min(1e6, lightest / heaviest) | 0
   return most
 }
 

@@ -26,6 +26,24 @@ describe('what has one right answer', () => {
     })
   }
 
+  it('what starts to topple slowly takes as long with any number of sub-steps', () => {
+    // Leaning by 0.05 rad it starts with a tenth of gravity or less.
+    const [r, d, lean] = [17, 28, 0.05]
+    const x = 320 + r * lean + d * Math.sin(lean)
+    const pill = { width: 90, height: 34, radius: r, x, y: stage.height - r - d * Math.cos(lean) }
+    const air = { linearDamping: 0, angularDamping: 0, bounce: 0, friction: 2, sleep: false }
+    const turned = [undefined, 16, 64].map((substeps) => {
+      const { world, ids } = worldOf([{ ...pill, angle: Math.PI / 2 + lean }], {
+        ...air,
+        ...(substeps ? { substeps } : {}),
+      })
+      run(world, 0.4)
+      return world.read(ids[0]).angle
+    })
+    expect(turned[0]).toBeGreaterThan(Math.PI / 2 + 0.15)
+    for (const angle of turned) expect(45 * Math.abs(angle - turned[0])).toBeLessThan(0.02)
+  })
+
   it('more sub-steps bring it nearer to a topple', () => {
     const topple = exactScenes.find(({ name }) => name === 'topple')!
     const errors = [2, 8, 32].map((substeps) =>
@@ -233,6 +251,17 @@ describe('input that makes no sense', () => {
       expect(mass > 0 && inertia > 0).toBe(true)
     }
   }
+
+  it('null is left out, as is what is no number', () => {
+    for (const nothing of [null, 'a lot', {}, []] as never[]) {
+      const { world, ids } = worldOf([good], { gravity: nothing, linearDamping: 0 })
+      world.place(ids[0], { x: nothing, y: nothing })
+      world.configure({ gravity: nothing, bounce: nothing, friction: nothing })
+      world.step(frame)
+      expect(world.read(ids[0]).x).toBe(good.x)
+      expect(world.read(ids[0]).vy).toBeCloseTo(2600 / 60, 9)
+    }
+  })
 
   it.each(add)('of a chip is borne: %s', (key) => {
     for (const value of odd) {

@@ -365,7 +365,7 @@ export function createWorld(options: WorldOptions) {
 const FAR = 1e6
 
 function finite(value: number | undefined, otherwise = 0): number {
-  return value !== undefined && value - value === 0 ? value : otherwise
+  return typeof value === 'number' && value - value === 0 ? value : otherwise
 }
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
