@@ -30,6 +30,7 @@ export function PropsTable() {
               <span className="block break-words font-normal text-muted-foreground text-xs">
                 <span className="sr-only">, </span>
                 {prop.type.replace('<', '<\u200b')}
+                {prop.range && `, ${prop.range}`}
                 {prop.fallback && <span className="sm:hidden"> = {prop.fallback}</span>}
               </span>
             </th>

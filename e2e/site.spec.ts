@@ -76,6 +76,21 @@ for (const path of pages) {
   })
 }
 
+test('the props table says what range a number has, in the page and in Markdown', async ({
+  page,
+  request,
+}) => {
+  await page.goto('/docs/gravity-stack')
+  const row = (name: string) =>
+    page.getByRole('group', { name: 'Props' }).getByRole('row', { name: RegExp(`^${name}`) })
+  await expect(row('gravity')).toContainText('number, 0 to 20,000')
+  await expect(row('bounce')).toContainText('number, 0 to 1')
+  await expect(row('friction')).toContainText('number, 0 to 10')
+  await expect(row('stagger')).toContainText('number, 0 to 60,000')
+  const markdown = await (await request.get('/docs/gravity-stack.md')).text()
+  expect(markdown).toContain('| `gravity` | `number`, 0 to 20,000 |')
+})
+
 for (const path of pages.filter((path) => path !== '/404')) {
   const twin = path === '/' ? '/index.md' : `${path}.md`
   test(`${twin} is the page in Markdown, with no tag left and no dead link`, async ({ page, request }) => {

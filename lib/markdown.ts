@@ -45,7 +45,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
       ['Prop', 'Type', 'Default', 'What it does'],
       readProps().map((prop) => [
         `\`${prop.name}\``,
-        `\`${prop.type}\``,
+        `\`${prop.type}\`${prop.range ? `, ${prop.range}` : ''}`,
         prop.fallback ? `\`${prop.fallback}\`` : '–',
         prop.description,
       ]),

@@ -2,7 +2,7 @@ import 'server-only'
 import { parse } from 'react-docgen'
 import { componentFile, componentSource } from './source'
 
-type Prop = { name: string; type: string; fallback?: string; description: string }
+type Prop = { name: string; type: string; range?: string; fallback?: string; description: string }
 
 /**
  * The rows of the props table, from the JSDoc of `GravityStackProps`. Throws, and so fails the build, when a prop has
@@ -17,8 +17,9 @@ export function readProps(): Prop[] {
 
   return Object.entries(component.props).map(([name, prop]) => {
     const [description, written] = (prop.description ?? '').split(/^@default\s+/m).map((part) => part.trim())
-    // Defaults of numbers stand in the table of limits, most of them by name.
-    const inCode = prop.defaultValue?.value ?? source.match(new RegExp(`^  ${name}: \\[(\\w+), `, 'm'))?.[1]
+    // Defaults of numbers stand in the table of limits, most of them by name, before the largest value.
+    const [, usual, most] = source.match(new RegExp(`^  ${name}: \\[(\\w+), (\\d+)\\]`, 'm')) ?? []
+    const inCode = prop.defaultValue?.value ?? usual
     const used = source.match(new RegExp(`^const ${inCode} = (.+)$`, 'm'))?.[1] ?? inCode
     if (!description) throw new Error(`GravityStackProps.${name} has no description`)
     if (used !== undefined && written !== used) {
@@ -28,6 +29,7 @@ export function readProps(): Prop[] {
     return {
       name,
       type: type ?? 'unknown',
+      range: most && `0 to ${Number(most).toLocaleString('en')}`,
       fallback: written,
       description: description.replace(/\s*\n\s*/g, ' '),
     }
