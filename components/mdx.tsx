@@ -9,6 +9,7 @@ import { ComponentPreview } from './component-preview'
 import { ComponentSource } from './component-source'
 import { CopyButton } from './copy-button'
 import { ElevationLadder } from './elevation-ladder'
+import { Heading } from './heading'
 import { Install, InstallWay } from './install'
 import {
   FlightFigure,
@@ -24,24 +25,10 @@ import { ActionsTable, PropsTable } from './props-table'
 import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
-/** A heading whose words are a link to itself. */
-function heading(Tag: 'h2' | 'h3' | 'h4') {
-  return ({ children, id }: ComponentProps<'h2'>) => (
-    <Tag id={id} className="group">
-      <a data-plain href={`#${id}`}>
-        {children}
-        <span aria-hidden="true" className="ml-2 text-muted-foreground opacity-0 group-hover:opacity-100">
-          #
-        </span>
-      </a>
-    </Tag>
-  )
-}
-
 const components: Record<string, unknown> = {
-  h2: heading('h2'),
-  h3: heading('h3'),
-  h4: heading('h4'),
+  h2: (props: ComponentProps<'h2'>) => <Heading as="h2" {...props} />,
+  h3: (props: ComponentProps<'h3'>) => <Heading as="h3" {...props} />,
+  h4: (props: ComponentProps<'h4'>) => <Heading as="h4" {...props} />,
   // rehype-pretty-code wraps each block in a figure.
   figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
     <figure

@@ -2,6 +2,7 @@ import type { Metadata } from 'next'
 import { notFound } from 'next/navigation'
 import { DocsLayout } from '@/components/docs-layout'
 import { Mdx } from '@/components/mdx'
+import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { docs, findDoc, type Heading } from '@/lib/docs'
@@ -28,7 +29,6 @@ export async function generateMetadata({ params }: PageProps<'/docs/[slug]'>): P
 export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
   const doc = findDoc((await params).slug)
   if (!doc) notFound()
-  const headings = doc.headings as Heading[]
 
   return (
     <DocsLayout path={`/docs/${doc.slug}`}>
@@ -46,25 +46,7 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
           </div>
           <PageEnd path={`/docs/${doc.slug}`} />
         </main>
-        <aside data-print="hide" className="hidden xl:block">
-          {headings.length > 0 && (
-            <nav
-              aria-label="On this page"
-              className="sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto py-12 text-sm"
-            >
-              <p className="font-medium">On this page</p>
-              <ul className="mt-3 space-y-2">
-                {headings.map((heading) => (
-                  <li key={heading.id} className={heading.depth > 2 ? 'pl-3' : undefined}>
-                    <a href={`#${heading.id}`} className="text-muted-foreground hover:text-foreground">
-                      {heading.text}
-                    </a>
-                  </li>
-                ))}
-              </ul>
-            </nav>
-          )}
-        </aside>
+        <OnThisPage headings={doc.headings as Heading[]} />
       </div>
     </DocsLayout>
   )
