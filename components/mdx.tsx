@@ -54,7 +54,7 @@ const components: Record<string, unknown> = {
       {...props}
       className={
         typeof children === 'string' && /^(\S{1,28}|.{1,12})$/.test(children)
-          ? 'whitespace-nowrap'
+          ? 'whitespace-nowrap max-sm:in-[td]:whitespace-normal'
           : undefined
       }
     >
@@ -62,12 +62,18 @@ const components: Record<string, unknown> = {
     </code>
   ),
   table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
-  tr: (props: ComponentProps<'tr'>) => <tr className="border-b last:border-0" {...props} />,
+  // On a phone the two cells of a row stand one below the other.
+  tr: (props: ComponentProps<'tr'>) => (
+    <tr
+      className="in-[tbody]:last:border-0 border-b max-sm:not-has-[>:nth-child(3)]:wrap-anywhere max-sm:not-has-[>:nth-child(3)]:flex max-sm:not-has-[>:nth-child(3)]:flex-col max-sm:not-has-[>:nth-child(3)]:py-1"
+      {...props}
+    />
+  ),
   th: (props: ComponentProps<'th'>) => (
-    <th scope="col" className="border-b px-4 py-2.5 font-medium text-muted-foreground" {...props} />
+    <th scope="col" className="px-2.5 py-1 font-medium text-muted-foreground sm:px-4 sm:py-2.5" {...props} />
   ),
   td: (props: ComponentProps<'td'>) => (
-    <td className="min-w-28 px-4 py-2.5 align-baseline first:min-w-0" {...props} />
+    <td className="px-2.5 py-1 align-baseline sm:min-w-28 sm:px-4 sm:py-2.5 sm:first:min-w-0" {...props} />
   ),
   ActionsTable,
   Changelog: () => <Changelog components={components as never} />,

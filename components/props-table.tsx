@@ -11,13 +11,13 @@ export function PropsTable() {
     <ScrollTable label="Props">
       <thead>
         <tr className="border-b text-muted-foreground">
-          <th scope="col" className="px-4 py-2.5 font-medium">
+          <th scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
             Prop and type
           </th>
-          <th scope="col" className="px-4 py-2.5 font-medium max-sm:hidden">
+          <th scope="col" className="px-3 py-2.5 sm:px-4 font-medium max-sm:hidden">
             Default
           </th>
-          <th scope="col" className="px-4 py-2.5 font-medium">
+          <th scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
             What it does
           </th>
         </tr>
@@ -25,7 +25,7 @@ export function PropsTable() {
       <tbody>
         {readProps().map((prop) => (
           <tr key={prop.name} className="border-b align-baseline last:border-0">
-            <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
+            <th scope="row" className="px-3 py-3 sm:px-4 font-medium font-mono text-[0.8125rem]">
               {prop.name}
               <span className="block break-words font-normal text-muted-foreground text-xs">
                 <span className="sr-only">, </span>
@@ -34,10 +34,10 @@ export function PropsTable() {
                 {prop.fallback && <span className="sm:hidden"> = {prop.fallback}</span>}
               </span>
             </th>
-            <td className="px-4 py-3 font-mono text-[0.8125rem] text-muted-foreground max-sm:hidden">
+            <td className="px-3 py-3 sm:px-4 font-mono text-[0.8125rem] text-muted-foreground max-sm:hidden">
               {prop.fallback ?? '–'}
             </td>
-            <td className="px-4 py-3">{withCode(prop.description)}</td>
+            <td className="px-3 py-3 sm:px-4">{withCode(prop.description)}</td>
           </tr>
         ))}
       </tbody>
@@ -51,10 +51,10 @@ export function ActionsTable() {
     <ScrollTable label="Actions">
       <thead>
         <tr className="border-b text-muted-foreground">
-          <th scope="col" className="px-4 py-2.5 font-medium">
+          <th scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
             Action
           </th>
-          <th scope="col" className="px-4 py-2.5 font-medium">
+          <th scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
             What it does
           </th>
         </tr>
@@ -62,10 +62,10 @@ export function ActionsTable() {
       <tbody>
         {readActions().map((action) => (
           <tr key={action.name} className="border-b align-baseline last:border-0">
-            <th scope="row" className="px-4 py-3 font-medium font-mono text-[0.8125rem]">
+            <th scope="row" className="px-3 py-3 sm:px-4 font-medium font-mono text-[0.8125rem]">
               {action.name}()
             </th>
-            <td className="px-4 py-3">{withCode(action.description)}</td>
+            <td className="px-3 py-3 sm:px-4">{withCode(action.description)}</td>
           </tr>
         ))}
       </tbody>

@@ -32,7 +32,7 @@ function Rows({
       <thead>
         <tr className="border-b text-muted-foreground">
           {['Measure', 'Figure', bound].map((head) => (
-            <th key={head} scope="col" className="px-4 py-2.5 font-medium">
+            <th key={head} scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
               {head}
             </th>
           ))}
@@ -41,17 +41,17 @@ function Rows({
       {scenes.map(({ title, rows }) => (
         <tbody key={title} className="border-b last:border-0">
           <tr>
-            <th scope="rowgroup" colSpan={3} className="px-4 pt-3 pb-1 font-medium">
+            <th scope="rowgroup" colSpan={3} className="px-3 pt-3 sm:px-4 pb-1 font-medium">
               {title}
             </th>
           </tr>
           {folded(rows).map(({ measure, value, unit, bound }) => (
             <tr key={measure} className="align-baseline last:*:pb-3">
-              <th scope="row" className="px-4 py-1 font-normal text-muted-foreground">
+              <th scope="row" className="px-3 py-1 sm:px-4 font-normal text-muted-foreground">
                 {measure}
               </th>
-              <td className="whitespace-nowrap px-4 py-1 tabular-nums">{shortFigure(value, unit)}</td>
-              <td className="whitespace-nowrap px-4 py-1 text-muted-foreground tabular-nums">
+              <td className="whitespace-nowrap px-3 py-1 sm:px-4 tabular-nums">{shortFigure(value, unit)}</td>
+              <td className="whitespace-nowrap px-3 py-1 sm:px-4 text-muted-foreground tabular-nums">
                 {bound === undefined ? '–' : shortFigure(bound)}
                 {bound !== undefined && !(value <= bound) && (
                   <strong className="ml-2 font-medium text-foreground">missed</strong>
@@ -105,7 +105,7 @@ export function FuzzTable() {
       <thead>
         <tr className="border-b text-muted-foreground">
           {['What has to hold', 'Misses in 2,000 scenes'].map((head) => (
-            <th key={head} scope="col" className="px-4 py-2.5 font-medium">
+            <th key={head} scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
               {head}
             </th>
           ))}
@@ -113,11 +113,11 @@ export function FuzzTable() {
       </thead>
       <tbody>
         {Object.entries(checks).map(([check, says]) => (
-          <tr key={check} className="border-b align-baseline">
-            <th scope="row" className="min-w-56 px-4 py-1.5 font-normal">
+          <tr key={check} className="border-b align-baseline last:border-0">
+            <th scope="row" className="px-3 py-1.5 sm:px-4 font-normal">
               {says}
             </th>
-            <td className="px-4 py-1.5 tabular-nums">{misses[check] ?? 0}</td>
+            <td className="px-3 py-1.5 sm:px-4 tabular-nums">{misses[check] ?? 0}</td>
           </tr>
         ))}
       </tbody>

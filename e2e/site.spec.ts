@@ -76,6 +76,19 @@ for (const path of pages) {
   })
 }
 
+for (const path of docs) {
+  test(`on a phone no table of ${path} is cut off`, async ({ page }) => {
+    await page.setViewportSize({ width: 320, height: 700 })
+    await page.goto(path)
+    const cut = await page
+      .locator('[role=group]:has(> table)')
+      .evaluateAll((all) =>
+        all.flatMap((table) => (table.scrollWidth > table.clientWidth ? [table.textContent] : [])),
+      )
+    expect(cut).toEqual([])
+  })
+}
+
 test('the props table says what range a number has, in the page and in Markdown', async ({
   page,
   request,
