@@ -16,7 +16,7 @@ export default function Docs() {
       <main id="content" className="min-w-0 max-w-[46rem] pt-10 pb-20">
         <h1 className="font-semibold text-4xl tracking-[-0.03em]">Docs</h1>
         <p className="mt-3 text-lg text-muted-foreground leading-relaxed">
-          Everything about the component, from the first install to the last decimal.
+          Everything about the component: how to install it, how it works, and what has been measured.
         </p>
         <PageTools className="mt-4" twin="/docs.md" source="app/docs/page.tsx" />
         {navigation.map((section) => (

@@ -15,7 +15,7 @@ export default function PlaygroundPage() {
     <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
       <h1 className="font-semibold text-4xl tracking-[-0.03em]">Playground</h1>
       <p className="mt-3 max-w-2xl text-pretty text-lg text-muted-foreground leading-relaxed">
-        Turn the props, watch the solver think, take the code. The address holds your settings: pass it on and
+        Turn the props, watch the contacts, take the code. The address holds your settings: pass it on and
         others see your pile.
       </p>
       <Playground />
