@@ -24,6 +24,70 @@ test.describe('benchmarks', () => {
     const both = Array(await figures.count()).fill({ plot: true, table: true, rows: true })
     await expect.poll(open).toEqual(both)
     await expect(figures.last().getByRole('row').nth(3)).toBeVisible()
+    // On a phone too, no power of ten is torn from its digits.
+    await page.setViewportSize({ width: 375, height: 700 })
+    const lines = await figures.locator('td', { hasText: '·' }).evaluateAll((cells) =>
+      cells.map((cell) => {
+        const range = document.createRange()
+        range.selectNodeContents(cell)
+        return range.getClientRects().length
+      }),
+    )
+    expect(lines.length).toBeGreaterThan(20)
+    expect(new Set(lines)).toEqual(new Set([1]))
+  })
+
+  test('no table is cut off on a laptop', async ({ page }) => {
+    await page.setViewportSize({ width: 1280, height: 800 })
+    await page.goto('/benchmarks')
+    const cut = await page
+      .getByRole('region')
+      .evaluateAll((all) =>
+        all.flatMap((table) => (table.scrollWidth > table.clientWidth ? [table.ariaLabel] : [])),
+      )
+    expect(cut).toEqual([])
+  })
+
+  for (const { width, height } of [
+    { width: 1440, height: 900 },
+    { width: 375, height: 700 },
+  ]) {
+    test(`the legend is in sight wherever a plot is, ${width} px wide`, async ({ page }) => {
+      await page.setViewportSize({ width, height })
+      await page.goto('/benchmarks#pours')
+      const legend = page.getByRole('group', { name: 'Show one engine beside ours' })
+      const heading = page.getByRole('heading', { name: 'Pours', exact: true })
+      await expect(heading).toBeInViewport()
+      const bottom = async (part: typeof legend) => {
+        const { y, height } = (await part.boundingBox())!
+        return y + height
+      }
+      expect((await heading.boundingBox())!.y).toBeGreaterThan(await bottom(legend))
+      expect((await legend.boundingBox())!.y).toBeGreaterThan((await bottom(page.getByRole('banner'))) - 2)
+      await legend.getByText('Planck').click()
+      await expect(page.locator('figure svg [data-engine=matter-js]').first()).toHaveCSS('opacity', '0.12')
+    })
+  }
+
+  test('“On this page” leads to every part', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const links = page.getByRole('navigation', { name: 'On this page' }).getByRole('link')
+    const headings = page.locator('main').locator('h2, h3')
+    expect(await links.allInnerTexts()).toEqual(
+      await headings.evaluateAll((all) =>
+        all.map((heading) => heading.querySelector('a')!.firstChild!.textContent),
+      ),
+    )
+    await links.filter({ hasText: 'Who is cheaper' }).click()
+    await expect(page).toHaveURL(/#cheaper$/)
+    await expect(page.getByRole('heading', { name: 'Who is cheaper' })).toBeInViewport()
+  })
+
+  test('rows of the costs carry the marks of the plot beside them', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const rows = page.getByRole('region', { name: /^Cost by number of chips/ }).locator('tbody tr')
+    expect(await rows.count()).toBeGreaterThan(8)
+    await expect(rows.locator('th svg path')).toHaveCount(await rows.count())
   })
 
   test('each row of the claim that does not hold is an exception with a name', async ({ page }) => {

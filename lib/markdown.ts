@@ -1,6 +1,6 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
-import { results, verdictWords } from '@/app/benchmarks/data'
+import { results, verdictHead, verdictWords } from '@/app/benchmarks/data'
 import { verdicts } from '@/bench/report'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
@@ -104,7 +104,7 @@ const home = async () =>
 const index = () =>
   page(
     'Docs',
-    'Everything about the component, from the first install to the last decimal.',
+    'Everything about the component: how to install it, how it works, and what has been measured.',
     ...navigation.flatMap(({ title, pages }) => [
       `## ${title}`,
       pages.map((at) => `- [${at.title}](${twinOf(at.href)}): ${at.description}`).join('\n'),
@@ -114,7 +114,7 @@ const index = () =>
 const playground = () =>
   page(
     'Playground',
-    'Turn the props, watch the solver think, take the code.',
+    'Turn the props, watch the contacts, take the code.',
     `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out stays as it is.`,
     table(
       ['In the address', 'Values', 'Default'],
@@ -134,10 +134,10 @@ const playground = () =>
 const benchmarks = () =>
   page(
     'Run time against error',
-    'Run time against error for Gravity Stack and every engine beside it, scene by scene.',
+    'Run time against error for Gravity Stack beside six other engines, scene by scene.',
     `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
     table(
-      ['Scene', 'Error', 'µs a frame', 'Best for the same money', 'Cheapest as exact', 'Frontier'],
+      verdictHead,
       verdicts(results).map((verdict) => {
         const { scene, measure } = verdict
         const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)

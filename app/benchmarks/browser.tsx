@@ -27,7 +27,7 @@ const dropOf = ({ drops }: StageResult, chips: number, throttle: number): Drop |
 function scriptRow(chips: number, throttle: number, goal?: string, met?: (drop: Drop) => boolean): Row {
   const named = throttle > 1 ? `, processor slowed ${throttle} times` : ''
   return {
-    name: `Script a frame, ${chips.toLocaleString('en')} chips${named}: median / 99 % / worst, ms`,
+    name: `Script a frame, ${chips.toLocaleString('en')} chips${named}: median / 99th percentile / worst, ms`,
     goal,
     met: met && ((result) => met(dropOf(result, chips, throttle)!)),
     value: (result) => three(dropOf(result, chips, throttle)!.script),

@@ -47,6 +47,16 @@ export function allFigures(): Record<string, FigureRow[]> {
   )
 }
 
+/** The columns of the claim's table. */
+export const verdictHead = [
+  'Scene',
+  'Error',
+  'µs a frame',
+  'Most accurate at the same cost',
+  'Cheapest at the same accuracy',
+  'Frontier',
+]
+
 /** What the claim says of a scene, in words. */
 export function verdictWords(verdict: Verdict) {
   const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
@@ -54,12 +64,10 @@ export function verdictWords(verdict: Verdict) {
   return {
     error: `${figure(error)} ${scene.measures[measure].unit}`,
     cost: figure(cost),
-    asCheap: asCheap
-      ? `${rival(asCheap.engine)}: ${figure(asCheap.factor)} × the error`
-      : 'nobody is as cheap',
+    asCheap: asCheap ? `${rival(asCheap.engine)}: ${figure(asCheap.factor)} × the error` : 'none as cheap',
     asExact: asExact
       ? `${rival(asExact.engine)}: ${figure(asExact.factor)} × the cost`
-      : 'nobody, at any setting',
+      : 'none, at any setting',
     frontier: isTie(verdict)
       ? `tie: ${rival(asExact!.engine)}`
       : beaten.length > 0

@@ -28,12 +28,13 @@ export function settingTitle(setting: Record<string, number>) {
     if (knob === 'stiffness') return `stiffness ${value.toExponential(0).replace('+', '')}`
     if (knob === 'velocity') return `${value} velocity passes`
     if (knob === 'position') return `${value} position passes`
-    return `${value} ${value === 1 ? knob.replace(/s$/, '') : knob}`
+    const word = knob === 'substeps' ? 'sub-steps' : knob
+    return `${value} ${value === 1 ? word.replace(/s$/, '') : word}`
   })
   return words.join(', ') || 'default'
 }
 
-/** Three significant digits; two and a power of ten where zeros would have to be counted. */
+/** Three significant digits; two and a power of ten, on one line, where zeros would have to be counted. */
 export function figure(value: number | null | undefined): string {
   if (value === null || value === undefined) return '–'
   if (!Number.isFinite(value)) return '∞'
@@ -48,5 +49,5 @@ export function figure(value: number | null | undefined): string {
   const [digit, power] = value.toExponential(1).split('e').map(Number)
   const digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹']
   const raised = `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((digit) => digits[Number(digit)]).join('')}`
-  return digit === 1 ? `10${raised}` : `${digit.toFixed(1)} · 10${raised}`
+  return digit === 1 ? `10${raised}` : `${digit.toFixed(1)}\u00a0·\u00a010${raised}`
 }

@@ -2,13 +2,16 @@ import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
 import { isTie, noise, ours, type Results, type Verdict, verdicts } from '@/bench/report'
+import { Heading } from '@/components/heading'
+import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
+import type { Heading as HeadingOf } from '@/lib/docs'
 import { InBrowser } from './browser'
-import { defaultCosts, plotName, plotTitle, results, sizes, verdictWords } from './data'
+import { defaultCosts, plotName, plotTitle, results, sizes, verdictHead, verdictWords } from './data'
 import { Drawn } from './drawn'
 import { engineOrder, figure, looks, settingTitle } from './engines'
-import { Mark, Markers } from './plot'
+import { EngineName, Mark, Markers } from './plot'
 import { PlotTable } from './plot-table'
 import { RunOnDevice } from './run-on-device'
 import { Table } from './table'
@@ -16,262 +19,312 @@ import { Table } from './table'
 export const metadata: Metadata = {
   title: 'Benchmarks',
   description:
-    'Run time against error for Gravity Stack and every engine beside it: named scenes, exact answers, all settings, raw data.',
+    'Run time against error for Gravity Stack beside six other engines: named scenes, exact answers, every setting, raw data.',
   alternates: { canonical: '/benchmarks' },
 }
 
-const groups: { title: string; text: string; scenes: RegExp }[] = [
+const groups: { id: string; title: string; text: string; scenes: RegExp }[] = [
   {
+    id: 'flight',
     title: 'Flight',
     text: 'The answer is a formula, so the error is the distance from it after a second.',
     scenes: /^(free-fall|projectile|spin)/,
   },
   {
+    id: 'bounces',
     title: 'Bounces and impacts',
     text: 'Heights, paths and velocities by Newton’s restitution and Coulomb’s friction at the moment of the impact.',
     scenes: /^(bounce|pill-impact|oblique|ricochet)/,
   },
   {
+    id: 'friction',
     title: 'Friction',
     text: 'Where a box stops, where a disc begins to roll, how a pill rolls on its own round end as it topples.',
     scenes: /^(slide|roll|topple)/,
   },
   {
+    id: 'stacks',
     title: 'Stacks',
     text: 'What stands should stand: the error is how far the furthest corner has moved.',
     scenes: /^(stack|pyramid|mass-ratio)/,
   },
   {
+    id: 'pours',
     title: 'Pours',
     text: 'A pile is chaotic, so no pose of it is right or wrong. How deep chips sink into each other is.',
     scenes: /^pour/,
   },
 ]
 
+const all = verdicts(results)
+const lost = all.filter((verdict) => verdict.beaten.length > 0)
+
+/** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
+const open = [...new Set(all.flatMap((verdict) => verdict.open))]
+const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
+
+const headings: HeadingOf[] = [
+  { depth: 2, id: 'claim', text: 'The claim, scene by scene' },
+  ...(lost.length > 0 ? [{ depth: 3, id: 'exceptions', text: 'The exceptions' }] : []),
+  { depth: 2, id: 'plots', text: 'Work and precision' },
+  ...groups.map(({ id, title }) => ({ depth: 3, id, text: title })),
+  { depth: 2, id: 'order', text: 'More sub-steps, less error' },
+  { depth: 2, id: 'pour', text: 'Sixty pills, all properties' },
+  { depth: 2, id: 'chips', text: 'Cost by number of chips' },
+  { depth: 3, id: 'cheaper', text: 'Who is cheaper' },
+  { depth: 3, id: 'frames', text: 'Sixty pills, frame by frame' },
+  { depth: 2, id: 'weight', text: 'What a page has to load' },
+  { depth: 2, id: 'browser', text: 'In a browser' },
+  { depth: 2, id: 'device', text: 'On your device' },
+  { depth: 2, id: 'fair', text: 'What to know before you believe it' },
+  { depth: 3, id: 'seeds', text: 'Seeds of the pours' },
+  ...(dearer.length > 0 ? [{ depth: 3, id: 'unmarked', text: 'Settings without a mark' }] : []),
+]
+
 export default function Benchmarks() {
-  const lost = all.filter((verdict) => verdict.beaten.length > 0)
   const ties = all.filter(isTie)
   return (
-    <main id="content" className="benchmarks mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
-      <style>{highlightRules}</style>
-      <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">Run time against error</h1>
-      <div className="mt-3 max-w-3xl text-pretty text-lg text-muted-foreground leading-relaxed">
-        <p>
-          Each plot is one scene: what a frame costs to the right, how wrong it is upwards, both in powers of
-          ten. Lower and further left is better. A mark is an engine at one choice of its settings, a line
-          joins its best. The dashed edge is the frontier, the best anyone has at that price. Answers are
-          formulas, differential equations solved to 10⁻¹⁰, or, for piles, overlaps by an exact distance that
-          no engine uses.
-        </p>
-      </div>
-      <p className="mt-4 max-w-3xl text-muted-foreground text-sm leading-relaxed">
-        Measured on {results.machine.cpu}, {results.machine.cores} cores, {results.machine.memoryGB} GB,{' '}
-        {results.machine.system}, Node {results.machine.node}, on{' '}
-        <time dateTime={results.date}>
-          {new Date(results.date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
-        </time>
-        , commit {results.commit}, {circumstances}. 60 frames a second, gravity 2,600 px/s², nothing asleep.
-        Raw data: <Download file="results.json" />, <Download file="errors.csv" />,{' '}
-        <Download file="costs.csv" />. To repeat it:{' '}
-        <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">npm run bench</code>
-      </p>
-      <PageTools className="mt-4" twin="/benchmarks.md" source="app/benchmarks/page.tsx" />
-
-      <Section id="claim" title="The claim, scene by scene">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          No engine, at any setting, is both cheaper and more exact than Gravity Stack as it comes.{' '}
-          {lost.length === 0
-            ? 'It holds in every row below.'
-            : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
-          {ties.length > 0 &&
-            `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper peer is as exact as counts, both errors being rounding, or less than 10⁻⁴ of a pile’s weight. `}
-          {dearer.length > 0 &&
-            `${dearer.length} settings have no mark in a plot, yet are no exception: they cost more than ours does, which showed before they were played to their end. `}
-          {open.length > 0 && `Open, as they could not be played: ${settingsByEngine(open)}. `}
-          The two columns on the right ask from both sides: the most exact engine that costs no more, and the
-          cheapest that errs no more.
-        </p>
-        <div className="mt-6">
-          <Table
-            label="The claim, scene by scene"
-            head={[
-              'Scene',
-              'Error',
-              'µs a frame',
-              'Best for the same money',
-              'Cheapest as exact',
-              'Frontier',
-            ]}
-            rows={all.map(verdictRow)}
-          />
+    <div className="mx-auto grid w-full max-w-[88rem] flex-1 grid-cols-[minmax(0,1fr)] gap-10 px-4 sm:px-6 xl:grid-cols-[minmax(0,1fr)_12rem]">
+      <main id="content" className="benchmarks min-w-0 pt-10 pb-20">
+        <style>{highlightRules}</style>
+        <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">Run time against error</h1>
+        <div className="mt-3 max-w-3xl text-pretty text-lg text-muted-foreground leading-relaxed">
+          <p>
+            Each plot is one scene: what a frame costs to the right, how wrong it is upwards, both in powers
+            of ten. Lower and further left is better. A mark is an engine at one choice of its settings, a
+            line joins its best. The dashed edge is the frontier: the least error that any engine reaches at
+            that cost. Answers are formulas, differential equations solved to 10⁻¹⁰, or, for piles, overlaps
+            by an exact distance that no engine uses.
+          </p>
         </div>
-        {lost.length > 0 && (
-          <>
-            <h3 className="mt-8 font-semibold text-lg tracking-tight">The exceptions</h3>
-            <ul className="mt-2 max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
-              {lost.map((verdict) => (
-                <li key={`${verdict.scene.name} ${verdict.measure}`}>{exception(verdict)}</li>
-              ))}
-            </ul>
-          </>
-        )}
-      </Section>
-
-      <Section id="plots" title="Work and precision">
-        <Markers />
-        <Legend />
-        {groups.map((group) => (
-          <section key={group.title} className="mt-10">
-            <h3 className="font-semibold text-lg tracking-tight">{group.title}</h3>
-            <p className="mt-1 max-w-3xl text-muted-foreground">{group.text}</p>
-            <div className="mt-4 grid grid-cols-[minmax(0,1fr)] gap-4 has-[details[open]]:items-start md:grid-cols-2 xl:grid-cols-3">
-              {results.scenes
-                .filter((scene) => group.scenes.test(scene.name))
-                .flatMap((scene) =>
-                  scene.measures.map((measure, i) =>
-                    measure.ranked ? (
-                      <PlotFigure key={`${scene.name} ${measure.name}`} scene={scene} measure={i} />
-                    ) : null,
-                  ),
-                )}
-            </div>
-          </section>
-        ))}
-      </Section>
-
-      <Section id="order" title="More sub-steps, less error">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          Gravity Stack takes six sub-steps where things meet, and fewer where they stand still; here the six
-          are another number. An order of 2 means that twice the sub-steps leave a quarter of the error. What
-          is not listed is exact to rounding at any number.
+        <p className="mt-4 max-w-3xl text-muted-foreground text-sm leading-relaxed">
+          Measured on {results.machine.cpu}, {results.machine.cores} cores, {results.machine.memoryGB} GB,{' '}
+          {results.machine.system}, Node {results.machine.node}, on{' '}
+          <time dateTime={results.date}>
+            {new Date(results.date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
+          </time>
+          , commit {results.commit}, {circumstances}. 60 frames a second, gravity 2,600 px/s², nothing asleep.
+          Raw data: <Download file="results.json" />, <Download file="errors.csv" />,{' '}
+          <Download file="costs.csv" />. To repeat it:{' '}
+          <code className="rounded-md bg-muted px-1.5 py-0.5 font-mono text-[0.875em]">npm run bench</code>
         </p>
-        <div className="mt-6">
-          <Table {...orderTable} />
-        </div>
-      </Section>
+        <PageTools className="mt-4" twin="/benchmarks.md" source="app/benchmarks/page.tsx" />
 
-      <Section id="pour" title="Sixty pills, all properties">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          Each engine as it comes and at its setting with the least overlap. Overlap at rest and the slowest
-          rest are the worst of the seeds, the others the median. A pile is at rest once no chip moves faster
-          than 7 px/s or 0.14 rad/s. The contact residual says how far forces and velocities are from the laws
-          of contact, in weights of the pile.
-        </p>
-        <div className="mt-6">
-          <Table {...pourTable} />
-        </div>
-      </Section>
-
-      <Section id="chips" title="Cost by number of chips">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four seconds:
-          fall, landing and rest. Each engine as it comes. A pour that took longer than 24 seconds was given
-          up, one that had no hope to end sooner not begun: what it costs at least stands behind a &gt;.
-        </p>
-        <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 lg:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
-          <figure className="rounded-2xl border bg-panel p-3">
-            <Drawn />
-          </figure>
-          <Table {...sizeTable} />
-        </div>
-        <h3 className="mt-10 font-semibold text-lg tracking-tight">Who is cheaper</h3>
-        <p className="mt-1 max-w-3xl text-muted-foreground leading-relaxed">
-          Every engine whose frame costs less than ours, by what is going on, and its share of our cost. How
-          exact it is at that price, the plots above say.
-        </p>
-        <div className="mt-4">
-          <Table {...cheaperTable} />
-        </div>
-        <h3 className="mt-10 font-semibold text-lg tracking-tight">Sixty pills, frame by frame</h3>
-        <div className="mt-4">
-          <Table {...frameTable} />
-        </div>
-      </Section>
-
-      <Section id="weight" title="What a page has to load">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          What each engine needs for these scenes, bundled, minified and gzipped, WebAssembly counted; how
-          much it takes from the heap while 60 chips move; and what a frame costs once all sleep.
-        </p>
-        <div className="mt-6">
-          <Weights />
-        </div>
-      </Section>
-
-      <Section id="browser" title="In a browser">
-        <InBrowser download={<Download file="browser.json" />} />
-      </Section>
-
-      <Section id="device" title="On your device">
-        <p className="max-w-3xl text-muted-foreground leading-relaxed">
-          Sixty pills poured three times by Gravity Stack, Matter and Rapier at two settings each, in a worker
-          of this page. It takes about half a minute and loads Rapier’s 1.3 MB only when you start it.
-        </p>
-        <div className="mt-6">
-          <RunOnDevice />
-        </div>
-      </Section>
-
-      <Section id="fair" title="What to know before you believe it">
-        <ul className="max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
-          <li>
-            Peers run as their makers mean them to: pills are capsules where there are capsules, a hundred
-            pixels are a metre for engines that think in metres, bounce thresholds are set alike where they
-            can be.
-          </li>
-          <li>
-            Planck and p2-es have no rounded boxes, so theirs are two boxes and four circles. Matter’s rounded
-            corners are polygons. Mass and inertia are set to the true ones where an engine’s own are off;
-            Matter is measured both ways.
-          </li>
-          <li>
-            Rapier has no threshold below which bounces end, and Matter’s friction is not Coulomb’s. Both show
-            in the scenes about them.
-          </li>
-          <li>
-            “Circle chains” is the method this component’s first design described: up to three circles a chip,
-            two passes of impulses, 120 steps a second. It is written afresh for this comparison.
-          </li>
-          <li>
-            Engines take turns, each scene in a process of its own. Costs are the mean frame of a scene’s
-            first six seconds, of a pour of 250 and more its first four, and the median of {results.rounds}{' '}
-            rounds{spreads}. Timed once are large pours at other settings than the default, peers whose run
-            takes longer than 0.2 s and more than twice as long as ours, and what there is no time for again:
-            “rounds” in the raw data says so. Differences under five per cent count as none, and errors below
-            10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
-          </li>
-          <li>
-            Piles of chance are filmed from {inWords(seedsOf(ours).first)} seeds as an engine comes, from{' '}
-            {inWords(seedsOf(ours).others)} at its other settings
-            {short.length > 0 &&
-              `, for want of time not all of ${listed(short)}: ${few(short, 'first')} and ${few(short, 'others')} seeds${
-                short.some(leavesOut) ? ', rounded boxes and mixed shapes not at every setting' : ''
-              }`}
-            . {listed(slow)} take many times as long or have a faster build beside them: 250 chips and more
-            are filmed from one seed there. Box2D’s two builds move by the same bits, so one is filmed for
-            both. Fewer seeds can only make the worst look better.
-          </li>
-          {dearer.length > 0 && (
-            <li>
-              Without a mark, and dearer than ours: {settingsByEngine(dearer)}. Which, why, and what each
-              takes at least, the raw data says under “missing”.
-            </li>
+        <Section id="claim">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            No engine, at any setting, is both cheaper and more accurate than Gravity Stack at its default
+            setting.{' '}
+            {lost.length === 0
+              ? 'It holds in every row below.'
+              : `It holds in ${all.length - lost.length} of the ${all.length} rows below; the ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked.`}{' '}
+            {ties.length > 0 &&
+              `${ties.length === 1 ? 'One is' : `${inWords(ties.length)[0].toUpperCase()}${inWords(ties.length).slice(1)} are`} a tie: a cheaper engine is just as accurate, as both errors are rounding or below 10⁻⁴ of the pile’s weight. `}
+            {dearer.length > 0 &&
+              `${dearer.length} settings have no mark in a plot: they were stopped, or not started, once it was clear that they cost more than ours, so none of them can be an exception. `}
+            {open.length > 0 &&
+              `Open, as they could not be played: ${settingsByEngine(open)
+                .map((row) => row.join(': '))
+                .join('; ')}. `}
+            Two columns name the closest rival: the most accurate engine that costs no more, and the cheapest
+            whose error is no larger.
+          </p>
+          <div className="mt-6">
+            <Table
+              label="The claim, scene by scene"
+              head={verdictHead}
+              numbers={[1, 2]}
+              rows={all.map(verdictRow)}
+            />
+          </div>
+          {lost.length > 0 && (
+            <>
+              <Title id="exceptions" />
+              <ul className="max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
+                {lost.map((verdict) => (
+                  <li key={`${verdict.scene.name} ${verdict.measure}`}>{exception(verdict)}</li>
+                ))}
+              </ul>
+            </>
           )}
-        </ul>
-      </Section>
-      <PageEnd path="/benchmarks" />
-    </main>
+        </Section>
+
+        <Section id="plots">
+          <Markers />
+          <Legend />
+          {groups.map((group) => (
+            <section key={group.id}>
+              <Title id={group.id} />
+              <p className="max-w-3xl text-muted-foreground">{group.text}</p>
+              <div className="mt-4 grid grid-cols-[minmax(0,1fr)] gap-4 has-[details[open]]:items-start md:grid-cols-2 2xl:grid-cols-3">
+                {results.scenes
+                  .filter((scene) => group.scenes.test(scene.name))
+                  .flatMap((scene) =>
+                    scene.measures.map((measure, i) =>
+                      measure.ranked ? (
+                        <PlotFigure key={`${scene.name} ${measure.name}`} scene={scene} measure={i} />
+                      ) : null,
+                    ),
+                  )}
+              </div>
+            </section>
+          ))}
+        </Section>
+
+        <Section id="order">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            Gravity Stack takes six sub-steps where things meet, and fewer where they stand still; here the
+            six are another number. An order of 2 means that twice the sub-steps leave a quarter of the error.
+            What is not listed is exact to rounding at any number.
+          </p>
+          <div className="mt-6">
+            <Table {...orderTable} />
+          </div>
+        </Section>
+
+        <Section id="pour">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            Each engine at its default setting and at the one with the least overlap. Overlap at rest and the
+            slowest rest are the worst of the seeds, the others the median. A pile is at rest once no chip
+            moves faster than 7 px/s or 0.14 rad/s. The contact residual says how far forces and velocities
+            are from the laws of contact, in weights of the pile.
+          </p>
+          <div className="mt-6">
+            <Table {...pourTable} />
+          </div>
+        </Section>
+
+        <Section id="chips">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four
+            seconds: fall, landing and rest. Each engine at its default setting. A pour was stopped after 24
+            seconds, or skipped where it clearly would take longer; &gt; marks a lower bound.
+          </p>
+          <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 2xl:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
+            <figure className="w-full max-w-xl rounded-2xl border bg-panel p-3">
+              <Drawn />
+            </figure>
+            <Table {...sizeTable} />
+          </div>
+          <Title id="cheaper" />
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            Every engine whose frame costs less than ours, and its share of our cost. The plots above show how
+            accurate it is at that price.
+          </p>
+          <div className="mt-4">
+            <Table {...cheaperTable} />
+          </div>
+          <Title id="frames" />
+          <div className="mt-4">
+            <Table {...frameTable} />
+          </div>
+        </Section>
+
+        <Section id="weight">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            What each engine needs for these scenes, bundled, minified and gzipped, WebAssembly counted; how
+            much it takes from the heap while 60 chips move; and what a frame costs once all sleep. The whole
+            component is weighed with the part of Motion that it uses, but without React and{' '}
+            <code className="font-mono text-[0.875em]">cn</code>, which its project has anyway.
+          </p>
+          <div className="mt-6">
+            <Weights />
+          </div>
+        </Section>
+
+        <Section id="browser">
+          <InBrowser download={<Download file="browser.json" />} />
+        </Section>
+
+        <Section id="device">
+          <p className="max-w-3xl text-muted-foreground leading-relaxed">
+            Sixty pills poured three times by Gravity Stack, Matter and Rapier at two settings each, in a worker
+            of this page. It takes about half a minute and loads Rapier’s 1.3 MB only when you start it.
+          </p>
+          <div className="mt-6">
+            <RunOnDevice />
+          </div>
+        </Section>
+
+        <Section id="fair">
+          <ul className="max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
+            <li>
+              Peers run as their makers mean them to: pills are capsules where there are capsules, a hundred
+              pixels are a metre for engines that think in metres, bounce thresholds are set alike where they
+              can be.
+            </li>
+            <li>
+              Planck and p2-es have no rounded boxes, so theirs are two boxes and four circles. Matter’s
+              rounded corners are polygons. Mass and inertia are set to the true ones where an engine’s own
+              are off; Matter is measured both ways.
+            </li>
+            <li>
+              Rapier has no threshold below which bounces end, and Matter’s friction is not Coulomb’s. Both
+              show in the scenes about them.
+            </li>
+            <li>
+              “Circle chains” is the method this component’s first design described: up to three circles a
+              chip, two passes of impulses, 120 steps a second. It is written afresh for this comparison.
+            </li>
+            <li>
+              Engines take turns, each scene in a process of its own. A cost is the mean frame of a scene’s
+              first six seconds, of a pour of 250 and more its first four, and the median of {results.rounds}{' '}
+              rounds{spreads}. Some are timed once: large pours at other settings than the default, engines
+              whose run takes longer than 0.2 s and more than twice as long as ours, and what there was no
+              time to repeat. The raw data gives the rounds of each. Differences under five per cent count as
+              none, and errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
+            </li>
+          </ul>
+          <Title id="seeds" />
+          <p className="mb-4 max-w-3xl text-muted-foreground leading-relaxed">
+            A pour starts from random places, so its error is taken over several starts, called seeds. The
+            benchmark has limited time: slow engines get fewer seeds, and some of their settings are left out.
+            Fewer seeds can only make an engine’s worst case look better. Box2D’s two builds move chips by the
+            same bits, so one run of a seed stands for both.
+          </p>
+          <Table {...seedsTable} />
+          {dearer.length > 0 && (
+            <>
+              <Title id="unmarked" />
+              <p className="mb-4 max-w-3xl text-muted-foreground leading-relaxed">
+                How many settings were stopped, or not started, once it was clear that they cost more than
+                ours. The raw data lists them under “missing”, each with the reason and a lower bound of its
+                cost.
+              </p>
+              <Table
+                label="Settings without a mark"
+                head={['Scene', 'Settings']}
+                rows={settingsByEngine(dearer)}
+              />
+            </>
+          )}
+        </Section>
+        <PageEnd path="/benchmarks" />
+      </main>
+      <OnThisPage headings={headings} />
+    </div>
   )
 }
 
-function Section({ id, title, children }: { id: string; title: string; children: ReactNode }) {
+function Section({ id, children }: { id: string; children: ReactNode }) {
   return (
     <section className="mt-16">
-      <h2 id={id} className="mb-4 font-semibold text-2xl tracking-[-0.02em]">
-        {title}
-      </h2>
+      <Title id={id} />
       {children}
     </section>
+  )
+}
+
+/** The heading of that id. */
+function Title({ id }: { id: string }) {
+  const { depth, text } = headings.find((heading) => heading.id === id)!
+  return depth === 2 ? (
+    <Heading as="h2" id={id} className="mb-4 font-semibold text-2xl tracking-[-0.02em]">
+      {text}
+    </Heading>
+  ) : (
+    <Heading as="h3" id={id} className="mt-10 mb-1 scroll-mt-(--legend) font-semibold text-lg tracking-tight">
+      {text}
+    </Heading>
   )
 }
 
@@ -323,20 +376,32 @@ const spreads = (() => {
     .toSorted((a, b) => a - b)
   if (all.length === 0) return ''
   const [half, most] = [0.5, 0.95].map((share) => (100 * all[Math.floor(share * all.length)]).toFixed(0))
-  return `, of which the slowest took ${half} % longer than the fastest in half of the cases and at most ${most} % in 95 of 100`
+  return `: the slowest round took at most ${half} % longer than the fastest in half of the cases, at most ${most} % in 95 of 100`
 })()
 
-/** Seeds that pours are filmed from, at least: as an engine comes, and at its other settings. */
-function seedsOf(engine: string) {
-  const pours = results.scenes
-    .filter(({ name, seeds }) => seeds > 1 && !name.endsWith('-250'))
-    .map(({ name }) => results.errors.filter((row) => row.engine === engine && row.scene === name))
-  return {
-    first: Math.min(...pours.map(([row]) => row.seeds)),
-    others: Math.min(...pours.flatMap(([, ...rows]) => rows.map(({ seeds }) => seeds))),
-    settings: pours.map((rows) => rows.length),
-  }
+/** `3`, or `1 to 3` where they differ. */
+const span = (counts: number[]) => [...new Set([Math.min(...counts), Math.max(...counts)])].join(' to ')
+
+const seedsTable = {
+  label: 'Seeds of the pours',
+  head: ['Engine', 'Default setting', 'Other settings', 'Settings played', '250 pills, each setting'],
+  numbers: [1, 2, 3, 4],
+  rows: engineOrder.map((engine) => {
+    const pours = results.scenes
+      .filter(({ seeds }) => seeds > 1)
+      .map(({ name }) => results.errors.filter((row) => row.engine === engine && row.scene === name))
+    const seeds = pours.map((rows) => rows.map((row) => row.seeds))
+    const [large, ...usual] = seeds.toReversed()
+    return [
+      <EngineName key="engine" engine={engine} />,
+      span(usual.map(([first]) => first)),
+      span(usual.flatMap(([, ...others]) => others)),
+      span(pours.map((rows) => rows.length)),
+      span(large),
+    ]
+  }),
 }
+
 const inWords = (count: number) => numbers[count] ?? String(count)
 const numbers = [
   'no',
@@ -354,40 +419,16 @@ const numbers = [
   'twelve',
 ]
 
-/** Engines that are so slow that a large pour is filmed once, and those of them that have had fewer films of others too. */
-const largeSeeds = (engine: string) =>
-  results.errors.find((row) => row.engine === engine && row.scene === 'pour-pills-250')?.seeds ?? 0
-const slow = engineOrder.filter((engine) => largeSeeds(engine) < largeSeeds(ours))
-const leavesOut = (engine: string) => new Set(seedsOf(engine).settings).size > 1
-const short = engineOrder.filter(
-  (engine) =>
-    leavesOut(engine) ||
-    seedsOf(engine).first < seedsOf(ours).first ||
-    seedsOf(engine).others < seedsOf(ours).others,
-)
-const few = (engines: string[], at: 'first' | 'others') =>
-  inWords(Math.min(...engines.map((engine) => seedsOf(engine)[at])))
-
-const listed = (engines: string[]) =>
-  new Intl.ListFormat('en').format(engines.map((engine) => looks[engine].title))
-
-const all = verdicts(results)
-/** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
-const open = [...new Set(all.flatMap((verdict) => verdict.open))]
-const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
-
 /** How many settings of whom, scene by scene. */
-function settingsByEngine(rows: Results['missing']) {
-  const counts = results.scenes.flatMap(({ name, title }) => {
+const settingsByEngine = (rows: Results['missing']) =>
+  results.scenes.flatMap(({ name, title }) => {
     const here = rows.filter((row) => row.scene === name)
     const engines = engineOrder.flatMap((engine) => {
       const count = here.filter((row) => row.engine === engine).length
       return count > 0 ? [`${inWords(count)} of ${looks[engine].title}`] : []
     })
-    return engines.length > 0 ? [`${title}: ${new Intl.ListFormat('en').format(engines)}`] : []
+    return engines.length > 0 ? [[title, new Intl.ListFormat('en').format(engines)]] : []
   })
-  return counts.join('; ')
-}
 
 function verdictRow(verdict: Verdict): ReactNode[] {
   const { scene, measure } = verdict
@@ -421,12 +462,12 @@ const highlightRules = engineOrder
 function Legend() {
   const measured = engineOrder.filter((engine) => results.versions[engine])
   return (
-    <fieldset className="flex flex-wrap gap-x-1 gap-y-1 rounded-xl border bg-panel p-2 text-sm">
+    <fieldset className="sticky top-14 z-30 flex min-w-0 gap-1 overflow-x-auto rounded-b-xl border bg-panel p-2 text-sm lg:flex-wrap">
       <legend className="sr-only">Show one engine beside ours</legend>
       {['all', ...measured].map((engine) => (
         <label
           key={engine}
-          className="flex cursor-pointer items-center gap-2 rounded-lg px-2.5 py-1.5 has-checked:bg-muted has-focus-visible:outline-2 has-focus-visible:outline-ring"
+          className="relative flex shrink-0 cursor-pointer items-center gap-2 rounded-lg px-2.5 py-1.5 has-checked:bg-muted has-focus-visible:outline-2 has-focus-visible:outline-ring"
         >
           <input
             type="radio"
@@ -470,6 +511,7 @@ const fixedSteps = [2, 4, 8, 16, 32]
 const orderTable = {
   label: 'Error of Gravity Stack by sub-steps',
   head: ['Scene', ...fixedSteps.map((steps) => `${steps} sub-steps`), 'order'],
+  numbers: [1, 2, 3, 4, 5, 6],
   rows: results.scenes.flatMap((scene) =>
     scene.measures.flatMap((measure, i) => {
       const errors = fixedSteps.map(
@@ -483,7 +525,7 @@ const orderTable = {
       // Neither rounding, nor what another bound than the sub-step's decides, nor what was not filmed at all of them has an order.
       if (!measure.ranked || !(first > 1e-6) || measure.unit === 'weights' || !(order >= 0.5)) return []
       const title = scene.measures.length > 1 ? `${scene.title}: ${measure.name}` : scene.title
-      return [[title, ...errors.map((error) => `${figure(error)} ${measure.unit}`), order.toFixed(1)]]
+      return [[title, ...errors.map((error) => `${figure(error)}\u00a0${measure.unit}`), order.toFixed(1)]]
     }),
   ),
 }
@@ -498,6 +540,7 @@ const pourTable = {
     'Seeds',
     ...(pourScene?.measures.map(({ name, unit }) => `${name}, ${unit}`) ?? []),
   ],
+  numbers: [2, 3, 4, 5, 6, 7],
   // Each engine as it comes, and at the setting that overlaps least.
   rows: engineOrder.flatMap((engine) => {
     const own = results.errors.filter((row) => row.engine === engine && row.scene === pourScene?.name)
@@ -505,7 +548,7 @@ const pourTable = {
     return own
       .filter((row) => row === own[0] || row === best)
       .map((row) => [
-        looks[engine].title,
+        <EngineName key="engine" engine={engine} />,
         settingTitle(row.setting),
         row.seeds,
         ...row.errors.map((value, i) => {
@@ -519,10 +562,11 @@ const pourTable = {
 const sizeTable = {
   label: 'Cost by number of chips, µs a frame',
   head: ['µs a frame', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
+  numbers: sizes.map((_, i) => i + 1),
   rows: engineOrder
     .filter((engine) => defaultCosts.some((row) => row.engine === engine))
     .map((engine) => [
-      looks[engine].title,
+      <EngineName key="engine" engine={engine} />,
       ...sizes.map((size) => {
         const row = defaultCosts.find((candidate) => candidate.engine === engine && candidate.chips === size)
         if (!row?.cost) {
@@ -536,7 +580,7 @@ const sizeTable = {
           <span
             key={size}
             className="whitespace-nowrap"
-            title={`95 % of frames below ${figure(row.cost.p95)} µs`}
+            title={`95th percentile: ${figure(row.cost.p95)} µs`}
           >
             {figure(row.cost.mean)}
             <span className="text-muted-foreground">{ratio}</span>
@@ -548,18 +592,17 @@ const sizeTable = {
 
 const costOf = (engine: string, chips: number) =>
   defaultCosts.find((row) => row.engine === engine && row.chips === chips)?.cost
+const phases = [
+  ['pour', 'Fall and landing, first 1.5 s'],
+  ['settled', 'Lying, kept awake, fourth second'],
+  ['mean', 'All four seconds'],
+] as const
 const cheaperTable = {
   label: 'Who is cheaper, by number of chips',
-  head: ['What is going on', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
-  rows: (
-    [
-      ['pour', 'Fall and landing, first 1.5 s'],
-      ['settled', 'Lying, kept awake, fourth second'],
-      ['mean', 'All four seconds'],
-    ] as const
-  ).map(([phase, title]) => [
-    title,
-    ...sizes.map((size) => {
+  head: ['Chips', ...phases.map(([, title]) => title)],
+  rows: sizes.map((size) => [
+    size.toLocaleString('en'),
+    ...phases.map(([phase]) => {
       const own = costOf(ours, size)
       if (!own) return '–'
       const shares = engineOrder
@@ -567,10 +610,10 @@ const cheaperTable = {
         .filter(({ engine, share }) => engine !== ours && share * noise < 1)
         .toSorted((a, b) => a.share - b.share)
       return shares.length === 0
-        ? 'nobody'
+        ? 'none'
         : shares.map(({ engine, share }) => (
-            <span key={engine} className="block whitespace-nowrap">
-              {looks[engine].title} {figure(share)} ×
+            <span key={engine} className="block min-w-44">
+              <EngineName engine={engine} /> {figure(share)}&nbsp;×
             </span>
           ))
     }),
@@ -584,18 +627,19 @@ const frameTable = {
     'Fall and landing',
     'Lying, kept awake',
     'Median',
-    '95 % below',
+    '95th percentile',
     'Worst',
-    'Rounds apart by',
+    'Spread between rounds',
     'All asleep',
   ],
+  numbers: [1, 2, 3, 4, 5, 6, 7],
   rows: engineOrder.flatMap((engine) => {
     const row = defaultCosts.find((row) => row.engine === engine && row.chips === 60)
     if (!row?.cost) return []
     const { pour, settled, p50, p95, worst } = row.cost
     return [
       [
-        looks[engine].title,
+        <EngineName key="engine" engine={engine} />,
         ...[pour, settled, p50, p95, worst].map((value) => figure(value)),
         row.rounds > 1 && row.spread ? `${(100 * (row.spread - 1)).toFixed(0)} %` : 'timed once',
         figure(results.asleep[engine]),
@@ -611,10 +655,15 @@ function Weights() {
     <Table
       label="Bytes, allocation and sleep"
       head={['Engine', 'kB, gzipped', 'Heap bytes a frame', 'µs a frame, all asleep']}
+      numbers={[2, 3]}
       rows={results.bytes.map((row) => {
         const engine = engineOf(row.name)
         return [
-          engine ? looks[engine].title : 'Gravity Stack, component and all',
+          <span key="engine">
+            <EngineName engine={engine ?? ours} />
+            {engine === ours && ', the solver alone'}
+            {!engine && ', the whole component'}
+          </span>,
           <span key="bytes" className="flex items-center gap-3">
             <span className="w-14 text-right">{(row.gzip / 1000).toFixed(1)}</span>
             <span aria-hidden="true" className="block h-2.5 w-[min(24rem,30vw)]">

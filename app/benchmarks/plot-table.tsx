@@ -1,7 +1,8 @@
 'use client'
 
 import { useState } from 'react'
-import { engineOrder, figure, looks } from './engines'
+import { engineOrder, figure } from './engines'
+import { EngineName } from './plot'
 import { Table } from './table'
 
 /** Engine's place in `engineOrder`, setting, error (null: without bound), µs a frame, 1 on the frontier. */
@@ -48,8 +49,12 @@ export function PlotTable({ name, label, unit }: { name: string; label: string; 
           <Table
             label={label}
             head={['Engine', 'Setting', `Error, ${unit}`, 'µs']}
+            numbers={[2, 3]}
             rows={rows.map(([engine, setting, error, cost, best]) => [
-              `${looks[engineOrder[engine]].title}${best ? ' (frontier)' : ''}`,
+              <span key="engine">
+                <EngineName engine={engineOrder[engine]} />
+                {best ? ' (frontier)' : ''}
+              </span>,
               setting,
               figure(error ?? Number.POSITIVE_INFINITY),
               figure(cost),

@@ -35,6 +35,18 @@ export function Mark({ engine }: { engine: string }) {
   )
 }
 
+/** An engine's name behind its mark. */
+export function EngineName({ engine }: { engine: string }) {
+  return (
+    <>
+      <svg aria-hidden="true" viewBox="-7 -7 14 14" className="mr-2 inline size-3.5 align-[-0.15em]">
+        <Mark engine={engine} />
+      </svg>
+      {looks[engine].title}
+    </>
+  )
+}
+
 /** The marks of all engines, once a page: two thousand outlines in the plots would be most of its bytes. */
 export function Markers() {
   return (

@@ -2,7 +2,7 @@
 
 import { useEffect, useRef, useState } from 'react'
 import { figure, looks, settingTitle } from './engines'
-import { Mark, Plot } from './plot'
+import { EngineName, Plot } from './plot'
 import type { DeviceNews, DevicePoint } from './run-worker'
 import { Table } from './table'
 
@@ -108,13 +108,9 @@ export function RunOnDevice() {
             <Table
               label="Results of this device"
               head={['Engine', 'Setting', 'µs', 'At rest, px', 'During, px']}
+              numbers={[2, 3, 4]}
               rows={points.map((point) => [
-                <span key="engine" className="flex items-center gap-2">
-                  <svg aria-hidden="true" viewBox="-7 -7 14 14" className="size-3.5 shrink-0">
-                    <Mark engine={point.engine} />
-                  </svg>
-                  {looks[point.engine].title}
-                </span>,
+                <EngineName key="engine" engine={point.engine} />,
                 settingTitle(point.setting),
                 figure(point.cost),
                 figure(point.rest),

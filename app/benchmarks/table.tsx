@@ -1,17 +1,31 @@
 import type { ReactNode } from 'react'
 
-/** A table that scrolls by itself when the page is narrower. The first cell of a row names it. */
-export function Table({ label, head, rows }: { label: string; head: ReactNode[]; rows: ReactNode[][] }) {
+/**
+ * A table that scrolls by itself when the page is narrower. The first cell of a row names it; `numbers` are the
+ * columns whose figures stand one below the other.
+ */
+export function Table({
+  label,
+  head,
+  rows,
+  numbers = [],
+}: {
+  label: string
+  head: ReactNode[]
+  rows: ReactNode[][]
+  numbers?: number[]
+}) {
+  const aligned = (column: number) => (numbers.includes(column) ? 'text-right' : '')
   return (
     // biome-ignore lint/a11y/noNoninteractiveTabindex: a table that scrolls must be reachable
     // biome-ignore lint/a11y/useSemanticElements: a region of the page, not a section of the text
     <div role="region" aria-label={label} tabIndex={0} className="overflow-x-auto rounded-xl border bg-panel">
       <table className="w-full text-left text-sm">
         <thead>
-          <tr className="border-b text-muted-foreground">
+          <tr className="border-b align-bottom text-muted-foreground">
             {head.map((cell, i) => (
               // biome-ignore lint/suspicious/noArrayIndexKey: columns keep their place
-              <th key={i} scope="col" className="whitespace-nowrap px-3 py-2.5 font-medium">
+              <th key={i} scope="col" className={`px-3 py-2.5 font-medium ${aligned(i)}`}>
                 {cell}
               </th>
             ))}
@@ -29,7 +43,7 @@ export function Table({ label, head, rows }: { label: string; head: ReactNode[];
                   </th>
                 ) : (
                   // biome-ignore lint/suspicious/noArrayIndexKey: columns keep their place
-                  <td key={j} className="px-3 py-2 tabular-nums">
+                  <td key={j} className={`px-3 py-2 tabular-nums ${aligned(j)}`}>
                     {cell}
                   </td>
                 ),
