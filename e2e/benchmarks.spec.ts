@@ -157,7 +157,20 @@ test.describe('benchmarks', () => {
     await expect(said).toContainText('no workers here')
   })
 
-  test('a visitor can run it, stop it and run it again', async ({ page }) => {
+  test('a visitor can run it, stop it and run it again; all are warm before one is timed, and take turns', async ({
+    page,
+  }) => {
+    await page.addInitScript(() => {
+      const news: string[] = []
+      Object.assign(window, { news })
+      window.Worker = class extends Worker {
+        constructor(...of: ConstructorParameters<typeof Worker>) {
+          super(...of)
+          news.length = 0
+          this.addEventListener('message', ({ data }) => news.push(data.engine ?? data.kind))
+        }
+      }
+    })
     await page.goto('/benchmarks')
     await page.getByRole('button', { name: 'Run on this device' }).click()
     await expect(page.getByRole('progressbar', { name: 'Benchmark' })).toBeVisible()
@@ -167,5 +180,9 @@ test.describe('benchmarks', () => {
     await expect(page.getByRole('status').filter({ hasText: 'Done.' })).toBeVisible({ timeout: 150_000 })
     const table = page.getByRole('region', { name: 'Results of this device' })
     await expect(table.getByRole('row')).toHaveCount(7)
+    const news = await page.evaluate(() => (window as unknown as { news: string[] }).news)
+    const turn = ['gravity-stack', 'gravity-stack', 'matter-js', 'matter-js', 'rapier', 'rapier']
+    const films = Array(3).fill('gravity-stack')
+    expect(news.slice(0, news.indexOf('point'))).toEqual([...Array(12).fill(turn).flat(), ...films])
   })
 })

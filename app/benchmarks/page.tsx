@@ -237,8 +237,10 @@ export default function Benchmarks() {
 
         <Section id="device">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Sixty pills poured three times by Gravity Stack, Matter and Rapier at two settings each, in a worker
-            of this page. It takes about half a minute and loads Rapier’s 1.3 MB only when you start it.
+            Sixty pills poured by Gravity Stack, Matter and Rapier at two settings each, in a worker of this
+            page. All are warmed up before any is timed, then they take turns, and each cost is the median of
+            nine pours. On a laptop it takes ten to twenty seconds; Rapier’s 1.3 MB load only when you start
+            it.
           </p>
           <div className="mt-6">
             <RunOnDevice />

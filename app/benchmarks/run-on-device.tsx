@@ -63,7 +63,11 @@ export function RunOnDevice() {
           onClick={state === 'running' ? cancel : start}
           className="rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
         >
-          {state === 'running' ? 'Cancel' : points.length > 0 ? 'Run again' : 'Run on this device'}
+          {state === 'running'
+            ? 'Cancel'
+            : state === 'failed' || points.length > 0
+              ? 'Run again'
+              : 'Run on this device'}
         </button>
         {state === 'running' && (
           <>
