@@ -286,6 +286,7 @@ export function Playground() {
     presses.current.delete(event.pointerId)
   }
 
+  const hint = 'absolute inset-0 grid place-items-center p-6 text-center text-muted-foreground text-sm'
   const button =
     'rounded-md border px-3 py-1.5 text-sm transition-colors hover:bg-muted aria-pressed:border-foreground aria-pressed:bg-foreground aria-pressed:text-background'
 
@@ -293,7 +294,14 @@ export function Playground() {
     <div className="mt-8 grid grid-cols-[minmax(0,1fr)] gap-6 lg:grid-cols-[minmax(0,1fr)_19rem] lg:grid-rows-[auto_1fr]">
       <div className="min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
         <div className="flex flex-wrap items-center gap-2 border-b p-3">
-          <button type="button" className={button} onClick={() => setDrop(drop + 1)}>
+          <button
+            type="button"
+            className={button}
+            onClick={() => {
+              setPlaying(true)
+              setDrop(drop + 1)
+            }}
+          >
             Drop
           </button>
           <button type="button" className={button} onClick={() => setPlaying(!playing)}>
@@ -351,18 +359,21 @@ export function Playground() {
               onPointerCancel={letGo}
               onLostPointerCapture={letGo}
               className={classes(
-                'absolute top-0 left-0 flex w-max max-w-full select-none',
+                'absolute top-0 left-0 flex w-max max-w-full select-none forced-colors:*:outline forced-colors:*:-outline-offset-1',
                 now.interactive && 'cursor-grab touch-pan-y touch-pinch-zoom active:cursor-grabbing',
               )}
             >
               <span className={className}>{word}</span>
             </div>
           ))}
-          {ready && !playing && work.released === 0 && stillMotion() && (
-            <p className="absolute inset-0 grid place-items-center p-6 text-center text-muted-foreground text-sm">
-              Motion is off, as your system asks. Play drops the chips.
+          {ready && !playing && work.released === 0 && (
+            <p className={hint}>
+              {stillMotion() ? 'Motion is off, as your system asks.' : 'Paused.'} Play drops the chips.
             </p>
           )}
+          <noscript>
+            <p className={hint}>The playground runs in your browser and needs JavaScript, which is off.</p>
+          </noscript>
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
         <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
@@ -412,7 +423,7 @@ export function Playground() {
         <Range of="bounce" label="bounce" value={bounce} onChange={change} />
         <Range of="friction" label="friction" value={friction} onChange={change} />
         <Range of="stagger" label="stagger" unit="ms" value={stagger} onChange={change} />
-        <Range of="seed" label="Seed" value={seed} onChange={change} />
+        <Range of="seed" label="Seed (not in the code)" value={seed} onChange={change} />
         <label className="flex items-center gap-3">
           <input
             type="checkbox"

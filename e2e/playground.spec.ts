@@ -26,12 +26,12 @@ const colours = (page: Page) =>
 test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their impulses', async ({
   page,
 }) => {
+  // Nothing falls before the first press on Step.
+  await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/playground?count=12&shape=boxes&stagger=0')
+  await expect(page.getByText('Motion is off')).toBeVisible()
   await page.getByRole('button', { name: 'Overlay' }).click()
   await expect(page.getByText('Dots are contact points')).toBeVisible()
-  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
-  await page.getByRole('button', { name: 'Pause' }).click()
-  await page.getByRole('button', { name: 'Drop' }).click()
   await expect(async () => {
     await page.getByRole('button', { name: 'Step' }).click()
     expect((await colours(page)).islands).toBeGreaterThan(2)
@@ -53,4 +53,71 @@ test('the numbers say what the solver did in the last step', async ({ page }) =>
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   await expect(number('awake chips')).toHaveText('0')
   expect(Number(await number('contacts').textContent())).toBeGreaterThan(11)
+})
+
+test('after Pause, Drop drops the chips and they come to rest', async ({ page }) => {
+  await page.goto('/playground?count=3')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Pause' }).click()
+  await page.getByRole('button', { name: 'Drop' }).click()
+  await expect(page.getByRole('button', { name: 'Pause' })).toBeVisible()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'running')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+})
+
+test('other chips on a paused stage wait, and the stage says how to drop them', async ({ page }) => {
+  await page.goto('/playground?count=3')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Pause' }).click()
+  await page.getByLabel('Shape').selectOption('boxes')
+  await expect(page.getByText('Paused. Play drops the chips.')).toBeVisible()
+  await page.getByRole('button', { name: 'Play' }).click()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('Paused.')).toBeHidden()
+})
+
+test('slider and code read an address alike, and words that were taken out stay out', async ({ page }) => {
+  await page.goto('/playground?count=3.7&gravity=&words=')
+  await expect(page.getByLabel('Chips')).toHaveValue('4')
+  await expect(page.locator(`${stage} [data-chip]`)).toHaveText(['chip', 'chip', 'chip', 'chip'])
+  await expect(page.getByText('Array.from({ length: 4 }')).toBeVisible()
+  await expect(page.getByLabel('gravity')).toHaveValue('2600')
+  await expect(page.getByLabel('Words, with commas between')).toHaveValue('')
+})
+
+test('the seed is said not to be in the code, and is not', async ({ page }) => {
+  await page.goto('/playground?seed=7')
+  await expect(page.getByLabel('Seed (not in the code)')).toHaveValue('7')
+  await expect(page.getByText('<GravityStack className="h-96">')).toBeVisible()
+})
+
+test('in forced colours each chip has an outline', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active' })
+  await page.goto('/playground?count=4&shape=mixed')
+  const chips = page.locator(`${stage} [data-chip] > span`)
+  await expect(chips).toHaveCount(4)
+  for (const chip of await chips.all()) await expect(chip).toHaveCSS('outline-style', 'solid')
+})
+
+test('long words stay inside their discs, and discs are round', async ({ page }) => {
+  // Upright, above the stage, where they can be measured.
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  const words = ['ok', 'Responsiveness', 'Words that go on', 'Donaudampfschifffahrtsgesellschaft']
+  await page.goto(`/playground?shape=discs&count=4&words=${words.join()}`)
+  const chips = page.locator(`${stage} [data-chip] > span`)
+  await expect(chips).toHaveText(words)
+  for (const chip of await chips.all()) {
+    const { width, height, over } = await chip.evaluate((disc) => {
+      const text = document.createRange()
+      text.selectNodeContents(disc)
+      const [inner, outer] = [text.getBoundingClientRect(), disc.getBoundingClientRect()]
+      return {
+        width: outer.width,
+        height: outer.height,
+        over: Math.max(outer.left - inner.left, inner.right - outer.right, outer.top - inner.top),
+      }
+    })
+    expect(width).toBeCloseTo(height, 0)
+    expect(over).toBeLessThanOrEqual(0)
+  }
 })

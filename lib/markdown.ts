@@ -115,7 +115,7 @@ const playground = () =>
   page(
     'Playground',
     'Turn the props, watch the contacts, take the code.',
-    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out stays as it is.`,
+    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out stays as it is. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out.`,
     table(
       ['In the address', 'Values', 'Default'],
       Object.entries(defaults).map(([name, value]) => {

@@ -22,8 +22,21 @@ test('settings survive the way through the address', () => {
 })
 
 test('numbers out of range are brought into it, nonsense is left at its default', () => {
-  const settings = fromQuery('count=-5&gravity=1e99&bounce=high&shape=star&words=%20')
+  const settings = fromQuery('count=-5&gravity=1e99&bounce=high&stagger=&shape=star')
   expect(settings).toEqual({ ...defaults, count: 1, gravity: 8000 })
+})
+
+test('numbers between the steps of a slider go to the nearest', () => {
+  expect(fromQuery('count=3.7&gravity=2649&bounce=0.574')).toMatchObject({
+    count: 4,
+    gravity: 2600,
+    bounce: 0.57,
+  })
+})
+
+test('words that somebody has taken out stay out', () => {
+  expect(fromQuery(toQuery({ ...defaults, words: '' })).words).toBe('')
+  expect(fromQuery('words=%20').words).toBe(' ')
 })
 
 test('no words make chips all the same', () => {

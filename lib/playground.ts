@@ -1,4 +1,4 @@
-/** What the playground can be set to. Stands in the address, so that a pile can be passed on. */
+/** What the playground can be set to. Stands in the address, so that settings can be passed on. */
 export const shapes = ['pills', 'cards', 'boxes', 'discs', 'mixed'] as const
 export const looks = ['tinted', 'neutral', 'ink'] as const
 
@@ -38,12 +38,14 @@ export function toQuery(settings: Settings): string {
 export function fromQuery(text: string): Settings {
   const query = new URLSearchParams(text)
   const settings = { ...defaults }
-  for (const [key, [min, max]] of Object.entries(ranges) as [keyof typeof ranges, number[]][]) {
-    const value = Number(query.get(key) ?? Number.NaN)
-    if (Number.isFinite(value)) settings[key] = Math.min(max, Math.max(min, value))
+  for (const [key, [min, max, step]] of Object.entries(ranges) as [keyof typeof ranges, number[]][]) {
+    const value = Number(query.get(key)?.trim() || Number.NaN)
+    if (!Number.isFinite(value)) continue
+    // To the steps of the slider: it could show nothing between them.
+    const stepped = Number((Math.round(value / step) * step).toFixed(2))
+    settings[key] = Math.min(max, Math.max(min, stepped))
   }
-  const words = query.get('words')
-  if (words?.trim()) settings.words = words.slice(0, 500)
+  settings.words = query.get('words')?.slice(0, 500) ?? defaults.words
   settings.shape = shapes.find((shape) => shape === query.get('shape')) ?? defaults.shape
   settings.look = looks.find((look) => look === query.get('look')) ?? defaults.look
   settings.interactive = query.get('interactive') !== 'false'
@@ -54,7 +56,8 @@ const shapeClasses = {
   pills: 'rounded-full px-4 py-2',
   cards: 'rounded-xl px-4 py-3',
   boxes: 'px-4 py-2',
-  discs: 'grid size-20 place-items-center rounded-full',
+  discs:
+    'grid aspect-square min-w-20 max-w-40 place-items-center overflow-hidden rounded-full px-2 text-center wrap-anywhere',
 }
 
 const tints = [
@@ -102,7 +105,7 @@ export function chipsOf(settings: Pick<Settings, 'words' | 'count' | 'shape' | '
 
 const quoted = (text: string) => `'${text.replace(/[\\']/g, '\\$&')}'`
 
-/** The module that makes this pile, ready to be pasted. */
+/** The module for these settings, ready to be pasted. It has no seed: the component has none. */
 export function codeOf(settings: Settings): string {
   const list = listOf(settings.words)
   const { forms, colours } = classesOf(settings)
