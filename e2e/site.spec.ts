@@ -174,8 +174,9 @@ for (const size of [
     await page.goto('/')
     const words = [
       'A React component whose children drop in',
-      /^\d+\.\d kB solver and all$/,
+      /^\d+\.\d kB not counting React and cn$/,
       /^\d+ µs a frame of 60 chips$/,
+      /^0 frames at rest$/,
     ]
     for (const word of words) await expect(page.getByText(word)).toBeInViewport({ ratio: 1 })
     // The command is longer than a narrow screen, and scrolls.

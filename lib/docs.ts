@@ -12,13 +12,13 @@ const others = [
     title: 'Playground',
     href: '/playground',
     description:
-      'Every prop under your fingers, slow motion and single steps, and the code that makes the pile.',
+      'Gravity, bounce, friction and more to turn, slow motion and single steps, and the code for your settings.',
   },
   {
     section: 'Evidence',
     title: 'Benchmarks',
     href: '/benchmarks',
-    description: 'Run time against error, beside every engine, scene by scene, with the raw data.',
+    description: 'Run time against error, beside six other engines, scene by scene, with the raw data.',
   },
 ]
 

@@ -12,9 +12,9 @@ export const pitch = {
 export async function price(): Promise<[figure: string, of: string][]> {
   const cost = costOf60()
   return [
-    [`${await componentSize()} kB`, 'solver and all'],
+    [`${await componentSize()} kB`, 'not counting React and cn'],
     [`${cost.micros} µs`, 'a frame of 60 chips'],
-    ['0', 'at rest'],
+    ['0 frames', 'at rest'],
   ]
 }
 
@@ -26,7 +26,7 @@ export async function facts(): Promise<Fact[]> {
     {
       figure: `${await componentSize()} kB`,
       title: 'the whole component',
-      text: 'Minified and compressed, the solver and what it takes of Motion included, beside React and cn.',
+      text: 'Minified and compressed, with the solver and the part of Motion that it uses, not counting React and cn.',
     },
     {
       figure: '1',
@@ -41,7 +41,7 @@ export async function facts(): Promise<Fact[]> {
     {
       figure: `${cost.micros} µs`,
       title: 'a frame, 60 chips awake',
-      text: `Measured on ${cost.cpu}, beside every other engine and against exact answers.`,
+      text: `Measured on ${cost.cpu}, beside six other engines and against exact answers.`,
       more: { title: 'Benchmarks', href: '/benchmarks' },
     },
   ]
@@ -51,7 +51,7 @@ export const ways = [
   {
     title: 'Playground',
     href: '/playground',
-    text: 'Turn every prop, step through the fall, take the code.',
+    text: 'Turn what shapes the fall, step through it, take the code.',
   },
   {
     title: 'How it works',
