@@ -12,6 +12,35 @@ const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
 const overflow = (page: Page) =>
   page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth)
 
+/** Call before a page loads: how far what it shows has moved about since then, by the browser's own measure. */
+async function watchShifts(page: Page) {
+  await page.addInitScript(() => {
+    let shifted = 0
+    const add = (entries: PerformanceEntryList) => {
+      for (const entry of entries) shifted += (entry as PerformanceEntry & { value: number }).value
+    }
+    const observer = new PerformanceObserver((list) => add(list.getEntries()))
+    observer.observe({ type: 'layout-shift', buffered: true })
+    Object.assign(window, {
+      shifted() {
+        add(observer.takeRecords())
+        return shifted
+      },
+    })
+  })
+  return () => page.evaluate<number>('shifted()')
+}
+
+const tab = (name: string) => (page: Page) => page.getByRole('tab', { name, exact: true }).first()
+const button = (name: string) => (page: Page) => page.getByRole('button', { name, exact: true })
+const link = (navigation: string, name: string) => (page: Page) =>
+  page.getByRole('navigation', { name: navigation, exact: true }).getByRole('link', { name, exact: true })
+const option = (words: string) => (page: Page) =>
+  page
+    .locator('label', { has: page.getByRole('radio') })
+    .filter({ hasText: new RegExp(`^${words}`) })
+    .first()
+
 for (const path of pages) {
   test.describe(path, () => {
     test('shows one title and no error', async ({ page }) => {
@@ -60,18 +89,10 @@ for (const path of pages) {
     }
 
     test('does not move about while it loads', async ({ page }) => {
-      await page.addInitScript(() => {
-        Object.assign(window, { shifted: 0 })
-        new PerformanceObserver((list) => {
-          for (const entry of list.getEntries()) {
-            const { value } = entry as PerformanceEntry & { value: number }
-            Object.assign(window, { shifted: (window as unknown as { shifted: number }).shifted + value })
-          }
-        }).observe({ type: 'layout-shift', buffered: true })
-      })
+      const shifted = await watchShifts(page)
       await page.goto(path)
       await page.waitForLoadState('networkidle')
-      expect(await page.evaluate(() => (window as unknown as { shifted: number }).shifted)).toBeLessThan(0.01)
+      expect(await shifted()).toBeLessThan(0.01)
     })
   })
 }
@@ -563,6 +584,19 @@ test.describe('without script', () => {
     await page.goto('/')
     await expect(page.getByText('no physics library')).toBeVisible()
   })
+
+  for (const [path, words, count] of [
+    ['/playground', /^The playground runs in your browser/, 1],
+    ['/docs/how-it-works', /^This figure is computed in your browser/, 6],
+    ['/docs/stability', /^This figure is computed in your browser/, 2],
+  ] as const) {
+    test(`${path} says what needs a script`, async ({ page }) => {
+      await page.goto(path)
+      const said = page.locator('noscript p')
+      await expect(said).toHaveText(Array(count).fill(words))
+      await expect(said.first()).toBeVisible()
+    })
+  }
 })
 
 test.describe('playground', () => {
@@ -825,6 +859,37 @@ test('another scene or seed starts at its beginning, and leaves the focus where 
     await expect(time).not.toHaveValue('0')
     await page.emulateMedia({ reducedMotion: 'reduce' })
   }
+})
+
+for (const path of ['/docs/how-it-works', '/docs/stability']) {
+  test(`at 320 px nothing on ${path} moves when a figure gets its numbers`, async ({ page }) => {
+    // Played, numbers that grow wider move the next ones.
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    const shifted = await watchShifts(page)
+    await page.setViewportSize({ width: 320, height: 900 })
+    await page.goto(path)
+    for (const figure of await page.locator('[data-slot=figure]').all()) {
+      await figure.scrollIntoViewIfNeeded()
+      await expect(figure.locator('strong').first()).toBeVisible()
+    }
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+    expect(await shifted()).toBeLessThan(0.01)
+  })
+}
+
+test('a scene that breaks solvers is drawn with both its walls', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/docs/stability')
+  const canvas = page.locator('[data-slot=figure] canvas').first()
+  const walls = () =>
+    canvas.evaluate((element: HTMLCanvasElement) => {
+      const { width, height } = element
+      const { data } = element.getContext('2d')!.getImageData(0, 0, width, height)
+      return [0, width - 1].map((x) =>
+        Array.from({ length: height }, (_, y) => data[4 * (y * width + x) + 3]).every((alpha) => alpha > 0),
+      )
+    })
+  await expect.poll(walls).toEqual([true, true])
 })
 
 test.describe('how it works', () => {

@@ -2,6 +2,7 @@
 
 import { type ReactNode, useEffect, useId, useLayoutEffect, useRef, useState } from 'react'
 import { flushSync } from 'react-dom'
+import { classes } from '@/lib/classes'
 import { stillMotion } from '@/lib/still-motion'
 import { type Palette, paletteOf } from './draw'
 
@@ -17,6 +18,7 @@ export function Figure({
   frames,
   draw,
   readout,
+  readoutHeight = 'min-h-23 sm:min-h-11 md:min-h-5',
   children,
   speed = 1,
 }: {
@@ -27,6 +29,8 @@ export function Figure({
   frames: number
   draw: (context: CanvasRenderingContext2D, at: number, palette: Palette) => void
   readout: (at: number) => ReactNode
+  /** Class: as many lines as the readout ever takes, so that nothing moves when it comes or grows. */
+  readoutHeight?: string
   children?: ReactNode
   speed?: number
 }) {
@@ -173,7 +177,15 @@ export function Figure({
           </span>
         </div>
         {children && <div className="flex flex-wrap items-end gap-x-6 gap-y-3">{children}</div>}
-        <div className="flex flex-wrap gap-x-6 gap-y-1 text-muted-foreground tabular-nums">
+        <noscript>
+          <p>This figure is computed in your browser and needs JavaScript, which is off.</p>
+        </noscript>
+        <div
+          className={classes(
+            'flex flex-wrap content-start gap-x-6 gap-y-1 text-muted-foreground tabular-nums',
+            readoutHeight,
+          )}
+        >
           {near ? readout(shown) : <span>…</span>}
         </div>
       </div>

@@ -46,8 +46,9 @@ export function HardScenesFigure() {
         })
         const { width, height } = frame
         drawLine(context, [0, height], [width, height], palette.muted)
-        drawLine(context, [width, 0], [width, height], palette.muted)
+        for (const wall of [0, width]) drawLine(context, [wall, 0], [wall, height], palette.muted)
       }}
+      readoutHeight="min-h-40 sm:min-h-17"
       readout={() =>
         (Object.entries(scene.bounds) as [keyof HardFigures, number][]).map(([key, bound]) => {
           const { measure, unit } = named(key)

@@ -41,6 +41,7 @@ export function ScenesFigure() {
           })
         })
       }}
+      readoutHeight="min-h-29 sm:min-h-17 lg:min-h-11"
       readout={() =>
         scene.measures.map((measure, i) => (
           <span key={measure.name}>
