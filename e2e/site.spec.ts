@@ -206,6 +206,41 @@ for (const size of [
   })
 }
 
+for (const [width, height] of [
+  [640, 900],
+  [768, 1024],
+  [820, 1180],
+  [1024, 768],
+  [1280, 720],
+  [1440, 900],
+]) {
+  test(`at ${width} × ${height} the pile at rest covers neither the command nor the button under it`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height })
+    await page.goto('/')
+    await expect(page.locator('[data-slot=gravity-stack]')).toHaveAttribute('data-state', 'resting')
+    const free = [
+      page.locator('section .code', { has: page.getByText('npx shadcn') }),
+      page.getByRole('link', { name: 'Read the docs' }),
+    ]
+    for (const words of free) {
+      const covers = await words.evaluate((element) => {
+        const { left, right, top, bottom } = element.getBoundingClientRect()
+        const found = new Set<string>()
+        for (let x = left + 4; x < right; x += 8) {
+          for (let y = top + 4; y < bottom; y += 8) {
+            const chip = document.elementFromPoint(x, y)?.closest('[data-slot=gravity-stack-chip]')
+            if (chip) found.add(chip.textContent!)
+          }
+        }
+        return [...found]
+      })
+      expect(covers).toEqual([])
+    }
+  })
+}
+
 test('back and forward go from anchor to anchor and from page to page', async ({ page }) => {
   const errors: string[] = []
   page.on('pageerror', (error) => errors.push(error.message))
@@ -481,6 +516,34 @@ test('the home page performs what its buttons say and shows the code for it', as
     await expect(stage).toHaveAttribute('data-state', 'running')
     await expect(page.getByText(code)).toBeVisible()
   }
+})
+
+test('on the home page an action is not left pressed, and leaves what was set as it is', async ({ page }) => {
+  await page.goto('/')
+  const stage = page.locator('[data-slot=gravity-stack]')
+  const pressed = page.locator('button[aria-pressed=true]')
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  await expect(pressed).toHaveText(['Tinted'])
+  await page.getByRole('button', { name: 'Heavier' }).click()
+  await page.getByRole('button', { name: 'Neutral' }).click()
+  for (const name of ['Drop again', 'Shake']) {
+    await page.getByRole('button', { name }).click()
+    await expect(pressed).toHaveText(['Neutral', 'Heavier'])
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+  }
+  await page.getByRole('button', { name: 'Heavier' }).click()
+  await expect(stage).toHaveAttribute('data-state', 'running')
+  await expect(pressed).toHaveText(['Neutral'])
+  await expect(page.getByText('gravity={6000}')).toBeHidden()
+})
+
+test('the tints of the home page are those in its code', async ({ page }) => {
+  await page.goto('/')
+  await page.getByRole('button', { name: 'Tinted' }).click()
+  const code = await page.locator('pre', { hasText: 'const tints' }).textContent()
+  const chips = page.locator('[data-slot=gravity-stack-chip] > span')
+  for (const [index, name] of [...code!.matchAll(/'(bg-[\w-]+)'/g)].map(([, name]) => name).entries())
+    await expect(chips.nth(index)).toContainClass(name)
 })
 
 test('words can be read before any script is asked for', async ({ page }) => {

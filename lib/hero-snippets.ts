@@ -1,4 +1,5 @@
 import { elevationNote } from './playground'
+import { tints } from './tints'
 
 /** What the buttons of the home page do, as the code that does it. */
 export const heroEffects = ['drop', 'shake', 'tinted', 'neutral', 'heavier', 'bouncier'] as const
@@ -10,9 +11,17 @@ const withActions = (call: string, label: string) => `const stack = useRef<Gravi
 <GravityStack actionsRef={stack} className="h-96">{chips}</GravityStack>
 <button type="button" onClick={() => stack.current?.${call}()}>${label}</button>`
 
-const withChip = (className: string) => `<GravityStack className="h-96">
+const tinted = `const tints = [${tints.map((tint) => `'${tint}'`).join(', ')}]
+
+<GravityStack className="h-96">
+  {words.map((word, index) => (
+    <span key={word} className={\`rounded-full px-5 py-2 text-stone-900 \${tints[index % tints.length]}\`}>{word}</span>
+  ))}
+</GravityStack>`
+
+const neutral = `${elevationNote}<GravityStack className="h-96">
   {words.map((word) => (
-    <span key={word} className="${className}">{word}</span>
+    <span key={word} className="rounded-full bg-elevation-3 px-5 py-2 shadow-raised-3">{word}</span>
   ))}
 </GravityStack>`
 
@@ -23,8 +32,8 @@ const withProp = (prop: string) => `<GravityStack ${prop} className="h-96">
 export const heroSnippets: Record<HeroEffect, string> = {
   drop: withActions('drop', 'Drop again'),
   shake: withActions('shake', 'Shake'),
-  tinted: withChip('rounded-full bg-amber-300 px-5 py-2 text-amber-950'),
-  neutral: elevationNote + withChip('rounded-full bg-elevation-3 px-5 py-2 shadow-raised-3'),
+  tinted,
+  neutral,
   heavier: withProp('gravity={6000}'),
   bouncier: withProp('bounce={0.7}'),
 }
