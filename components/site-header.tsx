@@ -12,6 +12,18 @@ const links = [
   { title: 'How it works', href: '/docs/how-it-works' },
 ]
 
+/**
+ * The layout doesn't know which page it holds, and a component that does would bring its script to every page. On a page
+ * of the docs without a link of its own Docs is marked.
+ */
+const markCurrent = `(() => {
+  const links = [...document.currentScript.previousElementSibling.querySelectorAll('a')]
+  const path = location.pathname
+  const page = links.find((link) => link.pathname === path)
+  if (page) page.setAttribute('aria-current', 'page')
+  else if (path.startsWith('/docs')) links[0].setAttribute('aria-current', 'true')
+})()`
+
 export function SiteHeader() {
   return (
     <header data-print="hide" className="sticky top-0 z-40 border-b bg-background/90 backdrop-blur">
@@ -22,21 +34,25 @@ export function SiteHeader() {
         Skip to content
       </a>
       <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
-        <a href="/" className="mr-4 flex items-center gap-2.5 font-semibold tracking-tight">
+        <a href="/" className="mr-4 flex items-center gap-2.5 whitespace-nowrap font-semibold tracking-tight">
           <Mark className="size-6" />
           Gravity Stack
         </a>
-        <nav aria-label="Main" className="hidden gap-1 sm:flex">
+        <nav aria-label="Main" className="hidden gap-1 md:flex">
           {links.map((link) => (
             <a
               key={link.href}
               href={link.href}
-              className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground"
+              // The script below marks one before React looks at it.
+              suppressHydrationWarning
+              className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:text-foreground"
             >
               {link.title}
             </a>
           ))}
         </nav>
+        {/* biome-ignore lint/security/noDangerouslySetInnerHtml: a constant of ours */}
+        <script dangerouslySetInnerHTML={{ __html: markCurrent }} />
         <div className="ml-auto flex items-center gap-1">
           <ThemeToggle>
             <SunIcon className="dark:hidden" />

@@ -241,6 +241,39 @@ for (const [width, height] of [
   })
 }
 
+test('the name in the header stays on one line, and the links beside it have room', async ({ page }) => {
+  await page.goto('/docs/setup')
+  for (const width of [320, 640, 767, 768, 1024]) {
+    await page.setViewportSize({ width, height: 700 })
+    const lines = page.locator('header').locator('a[href="/"], nav a:visible')
+    for (const { height } of await lines.evaluateAll((all) =>
+      all.map((link) => link.getBoundingClientRect()),
+    ))
+      expect(height, `${width} px`).toBeLessThan(40)
+    expect(await overflow(page), `${width} px`).toBe(0)
+  }
+})
+
+test('the header marks the page that one is on, and Docs on the other pages of the docs', async ({
+  page,
+}) => {
+  const marked = page.getByRole('navigation', { name: 'Main' }).locator('[aria-current]')
+  for (const [path, title, current] of [
+    ['/docs/gravity-stack', 'Docs', 'page'],
+    ['/docs/setup', 'Docs', 'true'],
+    ['/docs/how-it-works', 'How it works', 'page'],
+    ['/playground', 'Playground', 'page'],
+    ['/benchmarks', 'Benchmarks', 'page'],
+  ]) {
+    await page.goto(path)
+    await expect(marked, path).toHaveText([title])
+    await expect(marked, path).toHaveAttribute('aria-current', current)
+    await expect(marked, path).not.toHaveCSS('background-color', 'rgba(0, 0, 0, 0)')
+  }
+  await page.goto('/')
+  await expect(marked).toHaveCount(0)
+})
+
 test('back and forward go from anchor to anchor and from page to page', async ({ page }) => {
   const errors: string[] = []
   page.on('pageerror', (error) => errors.push(error.message))
