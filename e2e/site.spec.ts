@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
-import { expect, type Page, type Response } from '@playwright/test'
+import { expect, type Locator, type Page, type Response } from '@playwright/test'
 import { TOUCH_HOLD } from '../registry/gravity-stack/constants'
 import { alive, test } from './alive'
 
@@ -272,6 +272,33 @@ test('the header marks the page that one is on, and Docs on the other pages of t
   }
   await page.goto('/')
   await expect(marked).toHaveCount(0)
+})
+
+test.describe('in forced colours', () => {
+  const chosen: [
+    path: string,
+    what: string,
+    chosen: (page: Page) => Locator,
+    other: (page: Page) => Locator,
+  ][] = [
+    ['/', 'package manager', tab('npm'), tab('pnpm')],
+    ['/', 'look of the chips', button('Tinted'), button('Neutral')],
+    ['/docs/gravity-stack', 'way to install', tab('CLI'), tab('Manual')],
+    ['/docs/setup', 'page of the docs', link('Docs', 'Setup'), link('Docs', 'Caveats')],
+    ['/playground', 'page in the header', link('Main', 'Playground'), link('Main', 'Benchmarks')],
+    ['/playground', 'speed', button('Speed 1×'), button('Speed ¼×')],
+    ['/benchmarks', 'engine', option('All'), option('Planck')],
+    ['/docs/how-it-works', 'number of sub-steps', option('6'), option('1')],
+  ]
+  for (const [path, what, one, other] of chosen) {
+    test(`the chosen ${what} can be told from the others`, async ({ page }) => {
+      await page.emulateMedia({ forcedColors: 'active' })
+      await page.goto(path)
+      // Of the words, which change with their background: that says transparent where it looks the same.
+      const colour = (of: Locator) => of.evaluate((element) => getComputedStyle(element).color)
+      await expect.poll(async () => (await colour(one(page))) === (await colour(other(page)))).toBe(false)
+    })
+  }
 })
 
 test('back and forward go from anchor to anchor and from page to page', async ({ page }) => {
