@@ -126,3 +126,66 @@ test('a stage that grows out of nothing at the edge of the window waits until it
   await page.mouse.wheel(0, 400)
   await stage.reaches('running')
 })
+
+test('a stage that was scaled to nothing drops once it has grown', async ({ stage, page }) => {
+  await stage.open('surroundings', { kind: 'scaled' })
+  await stage.reaches('waiting')
+  await stage.probe((probe) => probe.pass(3))
+  await page.locator('#next').click()
+  await stage.reaches('running')
+})
+
+for (const [kind, larger] of [
+  ['panel', 'higher'],
+  ['wide', 'wider'],
+]) {
+  test(`a stage much ${larger} than what it scrolls in drops when it fills what can be seen of it`, async ({
+    stage,
+  }) => {
+    await stage.open('surroundings', { kind })
+    await stage.reaches('running')
+  })
+}
+
+test('a press on a popover of a chip moves no chip', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'popover' })
+  const box = (await page.getByText('read me').boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(box.x + 40, box.y - 60, { steps: 4 })
+  expect(await stage.states()).not.toContain('held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+})
+
+test('a tap on a button in a shadow tree is the button’s: its chip does not hop', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'shadow' })
+  const clicks = page.evaluate(
+    () =>
+      new Promise((heard) =>
+        addEventListener('click', (event) => heard(event.composedPath()[0] instanceof HTMLButtonElement)),
+      ),
+  )
+  const before = (await stage.pile()).poses[0]
+  await page.getByRole('button', { name: 'press' }).click()
+  expect(await clicks).toBe(true)
+  await stage.reaches('resting')
+  expect(Math.hypot((await stage.pile()).poses[0].y - before.y)).toBeLessThan(3)
+})
+
+test('chips come down while the stagger changes with every frame', async ({ stage }) => {
+  await stage.open('surroundings', { kind: 'restless' })
+  await expect(stage.chips.nth(2)).not.toHaveAttribute('data-state', 'waiting')
+})
+
+test('a held chip stays with a pointer that stands still while the page scrolls', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'tall' })
+  const chip = stage.chip('two')
+  await stage.drag(chip, 0, -60)
+  await stage.hangs(chip)
+  const { y } = await stage.centre(chip)
+  await page.mouse.wheel(0, 60)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(60)
+  await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(5)
+  await page.mouse.up()
+})

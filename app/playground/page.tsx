@@ -15,8 +15,8 @@ export default function PlaygroundPage() {
     <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
       <h1 className="font-semibold text-4xl tracking-[-0.03em]">Playground</h1>
       <p className="mt-3 max-w-2xl text-pretty text-lg text-muted-foreground leading-relaxed">
-        Turn the props, watch the contacts, take the code. The address holds your settings: pass it on,
-        and others start from them.
+        Turn the props, watch the contacts, take the code. The address holds your settings: pass it on, and
+        others start from them.
       </p>
       <Playground />
       <PageTools className="mt-10" twin="/playground.md" source="app/playground/page.tsx" />

@@ -100,6 +100,8 @@ export const GravityStack = React.forwardRef(function GravityStack(
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
+    // A document without layout, as tests have it, has nothing to watch.
+    if (typeof ResizeObserver === 'undefined') return
     const created = createStage(root.current!, pausing)
     stage.current = created
     return () => {
@@ -109,7 +111,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
   }, [])
 
   React.useEffect(() => {
-    stage.current!.update({ gravity, bounce, friction, stagger, interactive, onSettle })
+    stage.current?.update({ gravity, bounce, friction, stagger, interactive, onSettle })
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])

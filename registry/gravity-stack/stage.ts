@@ -16,9 +16,11 @@ const LIMITS = {
   friction: [FRICTION, 10],
   stagger: [150, 60000],
 } as const
-/** Share of the stage in view that starts the drop; of a very tall stage, the share of the window that it fills. */
+/** Share of the stage in view that starts the drop; of one that is too large for that, share of what can be seen of it at once. */
 const IN_VIEW = 0.25
-const FILLS_WINDOW = 0.5
+const FILLS_VIEW = 0.5
+/** ms until a stage that a transform has scaled to nothing is looked at again. */
+const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
 /** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
@@ -36,6 +38,8 @@ const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE = 'input, textarea, select, [contenteditable]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
+/** Elements that are drawn over the page, not in the chip that they are of. */
+const ELSEWHERE = 'dialog, [popover]'
 
 /** What the component was given; whatever a caller wrote. */
 export interface StageOptions {
@@ -81,6 +85,8 @@ interface Chip {
 interface Press {
   chip: Chip
   down: PointerEvent
+  /** Its last event. */
+  at: PointerEvent
   toStage: (event: PointerEvent) => DOMPoint
   /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
@@ -181,9 +187,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let idleSince: number | undefined
   let turns = 0
   let slot = 0
+  /** s, when the last chip was released. */
+  let released = Number.NEGATIVE_INFINITY
   /** The chip whose release a timer waits for. */
   let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
+  let unseen: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
   /** Ends all listeners. There since the stage first came into view. */
@@ -201,10 +210,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         height = root.clientHeight
         if (width * height > 0) {
           // A stage without a size counts as wholly in view, so that it tells nothing new when it is that with one.
-          if (hidden && !started) {
-            watcher!.unobserve(root)
-            watcher!.observe(root)
-          }
+          if (hidden && !started) lookAgain()
           if (world) world.resize(width, height)
           else begin()
           // What has lost its size meanwhile had none to lose.
@@ -215,6 +221,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     }
     sync()
   })
+
+  function lookAgain() {
+    watcher!.unobserve(root)
+    watcher!.observe(root)
+  }
 
   /** Chips come, go and change their look without a word from React. */
   const changes = new MutationObserver((records) => {
@@ -301,6 +312,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     bodies = []
     queue = []
     clock = turns = slot = 0
+    released = Number.NEGATIVE_INFINITY
     idleSince = undefined
     disarm()
     // In the order of the children, however they came.
@@ -317,6 +329,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     catchUp()
     chip.turn = turns++
     slot = Math.max(slot, clock)
+    schedule(chip)
+  }
+
+  function schedule(chip: Chip) {
     // Nobody can use what still waits out of sight.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
     slot += options.stagger / 1000
@@ -330,9 +346,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     catchUp()
     const waiting = queue
     queue = []
-    slot = clock && clock + options.stagger / 1000
+    // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
+    slot = Math.max(0, released + options.stagger / 1000)
     disarm()
-    waiting.forEach(enqueue)
+    waiting.forEach(schedule)
   }
 
   function withdraw(chip: Chip) {
@@ -355,6 +372,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     })
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
+    released = clock
     chip.id = world!.add({ ...chip, ...pose })
     chip.x = Number.NaN
     bodies[chip.id] = chip
@@ -521,6 +539,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     on(root, 'touchmove', scroll, { passive: false })
     on(view, 'touchstart', pinch, first)
     on(view, 'pointermove', move, first)
+    on(view, 'scroll', follow, { ...first, passive: true })
     on(view, 'pointerup', up, first)
     on(view, 'pointercancel', up, first)
     on(view, 'lostpointercapture', up, first)
@@ -562,15 +581,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   /** The chip in the world that an event is about, while the stage takes part in things. Of a stage in a chip the inner one is meant. */
-  function touched({ target }: Event) {
-    const chip = chips.get((target as Element).closest('[data-slot=gravity-stack-chip]')!)
-    return chip && chip.id >= 0 && live ? chip : undefined
+  function touched(event: Event) {
+    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+    return chip && chip.id >= 0 && live && !within(chip, event, ELSEWHERE) ? chip : undefined
   }
 
-  /** Whether an event is about something of a kind inside the chip; what is around the stage does not count. */
-  function within({ element }: Chip, { target }: Event, kind: string) {
-    const found = (target as Element).closest(kind)
-    return !!found && element.contains(found)
+  /** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
+  function within({ element }: Chip, event: Event, kind: string) {
+    const path = event.composedPath() as Element[]
+    return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
   }
 
   function down(event: PointerEvent) {
@@ -590,11 +609,20 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     else hold(press)
   }
 
-  function track(press: Press, event: PointerEvent) {
+  function track(press: Press, event: PointerEvent, time = event.timeStamp) {
     const { x, y } = press.toStage(event)
+    press.at = event
     press.x = x
     press.y = y
-    press.seconds = event.timeStamp / 1000
+    press.seconds = time / 1000
+  }
+
+  /** The page scrolls under a pointer that stands still. */
+  function follow({ timeStamp }: Event) {
+    for (const press of presses.values()) {
+      track(press, press.at, timeStamp)
+      press.grab?.moveTo(press.x, press.y, press.seconds)
+    }
   }
 
   function hold(press: Press) {
@@ -687,15 +715,29 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     })
   }
 
-  watch(root, ({ isIntersecting, intersectionRatio, intersectionRect, rootBounds }) => {
+  /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
+  function showable({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
+    // A frame of another site is not told how large the window is.
+    let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
+    let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
+    for (let node = root.parentElement; node; node = node.parentElement) {
+      if (!/auto|scroll/.test(getComputedStyle(node).overflow)) continue
+      wide = Math.min(wide, node.clientWidth)
+      high = Math.min(high, node.clientHeight)
+    }
+    return Math.min(wide, whole.width) * Math.min(high, whole.height)
+  }
+
+  watch(root, (entry) => {
+    const { isIntersecting, intersectionRatio, intersectionRect: seen } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
-    // A frame of another site is not told how high the window is.
-    const most = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
-    const fills = intersectionRect.height > FILLS_WINDOW * most
+    const area = seen.width * seen.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
-    if (intersectionRect.width * intersectionRect.height && (intersectionRatio >= IN_VIEW || fills))
-      started = true
+    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * showable(entry)
+    // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
+    clearTimeout(unseen)
+    if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
   })
 
@@ -745,6 +787,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       watcher!.unobserve(root)
       watched.delete(root)
       listening?.abort()
+      clearTimeout(unseen)
       sizes.disconnect()
       changes.disconnect()
       disarm()
