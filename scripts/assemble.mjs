@@ -25,7 +25,7 @@ const headings = {
   islands: 'who rests with whom',
   grab: 'the soft point constraint of a held chip',
   step: 'one step of all that is awake',
-  world: 'what the stage and the tests call',
+  simulation: 'what the stage calls',
   drop: 'where and when each chip starts',
   stage: 'the DOM: measure, paint, point, observe, loop',
   'gravity-stack': 'the React component',

@@ -26,7 +26,7 @@ describe('the one file', () => {
   it('has a heading for each room, after those it builds on', () => {
     const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
     expect(rooms[0]).toBe('constants')
-    expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('world'))
-    expect(rooms.slice(-4)).toEqual(['world', 'drop', 'stage', 'component'])
+    expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
+    expect(rooms.slice(-4)).toEqual(['simulation', 'drop', 'stage', 'component'])
   })
 })

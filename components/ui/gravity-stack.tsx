@@ -402,6 +402,26 @@ function halfExtents({ state, motion, shape }: Bodies, i: number, give: number, 
   extents[Y] = Math.min(core, hx * n + hy * c + swing) + r
 }
 
+/** px/s, bound of the speed of the fastest point of body `i`. */
+function speedOf({ state, shape }: Bodies, i: number): number {
+  const s = i * STATE
+  return (
+    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+  )
+}
+
+/** No body moves faster than `most` px/s. */
+function capSpeed(state: Float64Array, s: number, most: number): void {
+  const vx = state[s + VX]
+  const vy = state[s + VY]
+  const square = vx * vx + vy * vy
+  if (square > most * most) {
+    const k = most / Math.sqrt(square)
+    state[s + VX] = vx * k
+    state[s + VY] = vy * k
+  }
+}
+
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies
@@ -1193,11 +1213,7 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
       }
     }
   }
-  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
-  if (speed > MAX_TOSS) {
-    s[i + VX] *= MAX_TOSS / speed
-    s[i + VY] *= MAX_TOSS / speed
-  }
+  capSpeed(s, i, MAX_TOSS)
 }
 
 // contacts: contacts kept from step to step ─────────────────────────────────────────────────────────────────
@@ -1518,8 +1534,8 @@ function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
-/** px, bound of how much the gap of contact `c` may have changed since it was measured. */
-function shift(bodies: Bodies, contacts: Contacts, c: number): number {
+/** px, lower bound of the present gap of contact `c`, without measuring: no point of the two has come nearer by more than this. */
+function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
   const s = bodies.state
   const d = contacts.data
   const a = contacts.pair[2 * c] & INDEX
@@ -1530,16 +1546,12 @@ function shift(bodies: Bodies, contacts: Contacts, c: number): number {
   const turnA = s[a * STATE + ANGLE] - d[k + FROM_A]
   const turnB = s[b * STATE + ANGLE] - d[k + FROM_B]
   return (
-    Math.abs(x) +
-    Math.abs(y) +
-    bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
-    bodies.shape[b * SHAPE + CORE] * Math.abs(turnB)
+    d[k + CLEAR] -
+    (Math.abs(x) +
+      Math.abs(y) +
+      bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
+      bodies.shape[b * SHAPE + CORE] * Math.abs(turnB))
   )
-}
-
-/** px, lower bound of the present gap of contact `c`, without measuring. */
-function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
-  return contacts.data[c * CONTACT + CLEAR] - shift(bodies, contacts, c)
 }
 
 // pairs: which pairs may touch (broad phase) ────────────────────────────────────────────────────────────────
@@ -2458,21 +2470,9 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
     const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
     if (Math.max(speed - BALANCE, gain - least) > 0) active++
-    capSpeed(state, s)
+    capSpeed(state, s, MAX_SPEED)
   }
   return active
-}
-
-/** Nothing moves faster than the cap, so that no margin is ever too small. */
-function capSpeed(state: Float64Array, s: number): void {
-  const vx = state[s + VX]
-  const vy = state[s + VY]
-  const square = vx * vx + vy * vy
-  if (square > MAX_SPEED * MAX_SPEED) {
-    const k = MAX_SPEED / Math.sqrt(square)
-    state[s + VX] = vx * k
-    state[s + VY] = vy * k
-  }
 }
 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
@@ -2865,10 +2865,8 @@ function rest(islands: Islands, scene: Scene): void {
 }
 
 /** Whether body `i` is faster than creep, and than friction would stop within the distance that rest allows. */
-function moving({ bodies: { state, shape }, friction, gravity }: Scene, i: number): boolean {
-  const s = i * STATE
-  const speed =
-    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+function moving({ bodies, friction, gravity }: Scene, i: number): boolean {
+  const speed = speedOf(bodies, i)
   return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
 }
 
@@ -2880,21 +2878,14 @@ function drowsy({ parent, reach }: Islands, i: number): boolean {
 
 // step: one step of all that is awake ───────────────────────────────────────────────────────────────────────
 
-/** What the world did in the last call of its `step`, for tests and tools; `awake` and `islands` are of its last step. */
+/** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
 class Stats {
   /** Steps in which something was awake; others are not taken. */
   steps = 0
   awake = 0
-  pairs = 0
-  narrow = 0
-  contacts = 0
-  points = 0
   islands = 0
   substeps = 0
   sweeps = 0
-  /** Contacts visited by the sweeps over impacts. */
-  hits = 0
-  rows = 0
 }
 
 /**
@@ -2980,7 +2971,7 @@ function fly(simulation: Simulation, i: number): void {
   state[s + VX] *= linear.fade
   state[s + VY] = linear.fade * state[s + VY] + gravity * linear.reach
   state[s + SPIN] *= spin.fade
-  capSpeed(state, s)
+  capSpeed(state, s, MAX_SPEED)
   keepInside(simulation, i)
 }
 
@@ -3104,7 +3095,7 @@ function weigh(simulation: Simulation, b0: number, b1: number, at: number): void
 /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
 function fastest(simulation: Simulation, b0: number, b1: number): number {
   const { bodies, islands } = simulation
-  const { state, shape } = bodies
+  const { state } = bodies
   let most = 0
   let lightest = 0
   let heaviest = Infinity
@@ -3114,11 +3105,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
     const inverse = state[s + INV_MASS]
     if (inverse > lightest) lightest = inverse
     if (inverse < heaviest) heaviest = inverse
-    const speed =
-      Math.abs(state[s + VX]) +
-      Math.abs(state[s + VY]) +
-      shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-    if (speed > most) most = speed
+    most = Math.max(most, speedOf(bodies, i))
   }
   simulation.uneven = Math.min(1e6, lightest / heaviest) | 0
   return most
@@ -3196,19 +3183,13 @@ function disturb(scene: Scene, i: number): void {
 /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
 function wakeStruck(scene: Scene): void {
   const { bodies, contacts, walls, gravity } = scene
-  const { state, shape } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
       if (j === 0 || bodies.asleep[j] === 0) continue
       const c = edge >> 1
-      const s = i * STATE
-      const speed =
-        Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-      const go = speed * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
+      const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
       measure(bodies, contacts, walls, c)
@@ -3221,7 +3202,7 @@ function wakeStruck(scene: Scene): void {
   }
 }
 
-// world: what the stage and the tests call ──────────────────────────────────────────────────────────────────
+// simulation: what the stage calls ──────────────────────────────────────────────────────────────────────────
 
 interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -3263,16 +3244,6 @@ interface BodyOptions {
 
 type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
 
-interface Reading {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
-}
-
 interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
@@ -3307,11 +3278,6 @@ function createWorld(options: WorldOptions) {
   let left = 0
 
   return {
-    get stats(): Readonly<Stats> {
-      count()
-      return stats
-    },
-
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
       const i = freeSlots.pop() ?? bodies.count++
@@ -3331,7 +3297,7 @@ function createWorld(options: WorldOptions) {
       bodies.state[s + VX] = finite(body.vx)
       bodies.state[s + VY] = finite(body.vy)
       bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
-      capSpeed(bodies.state, s)
+      capSpeed(bodies.state, s, MAX_SPEED)
       bodies.alive[i] = 1
       bodies.asleep[i] = 0
       bodies.held[i] = 0
@@ -3371,7 +3337,7 @@ function createWorld(options: WorldOptions) {
       state[s + VX] = finite(motion.vx, state[s + VX])
       state[s + VY] = finite(motion.vy, state[s + VY])
       state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
-      capSpeed(state, s)
+      capSpeed(state, s, MAX_SPEED)
       forget(id)
     },
 
@@ -3388,12 +3354,8 @@ function createWorld(options: WorldOptions) {
       if (size(width) === walls.width && size(height) === walls.height) return
       walls.width = size(width)
       walls.height = size(height)
-      for (let i = 1; i < bodies.count; i++) {
-        if (!bodies.alive[i]) continue
-        wake(scene, i)
-        bodies.rest[i * 4 + 3] = 0
-        forget(i)
-      }
+      wakeAll()
+      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) forget(i)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
@@ -3409,11 +3371,7 @@ function createWorld(options: WorldOptions) {
       }
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
-      for (let i = 1; i < bodies.count; i++) {
-        if (!bodies.alive[i]) continue
-        wake(scene, i)
-        bodies.rest[i * 4 + 3] = 0
-      }
+      wakeAll()
     },
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
@@ -3424,7 +3382,6 @@ function createWorld(options: WorldOptions) {
       stats.islands = 0
       stats.substeps = 0
       stats.sweeps = 0
-      stats.rows = 0
       contacts.rows = 0
       impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
@@ -3432,29 +3389,6 @@ function createWorld(options: WorldOptions) {
       while (left >= STEP * 0.999) {
         left -= STEP
         if (bodies.awakeCount > 0) stepOnce(scene)
-      }
-    },
-
-    /** Pose and velocity of body `id`: px, radians, px/s, rad/s. For tests and tools; not used in a loop. */
-    read(id: number): Reading {
-      const s = id * STATE
-      const state = bodies.state
-      return {
-        x: state[s + X],
-        y: state[s + Y],
-        angle: state[s + ANGLE],
-        vx: state[s + VX],
-        vy: state[s + VY],
-        spin: state[s + SPIN],
-        asleep: bodies.asleep[id] === 1,
-      }
-    },
-
-    /** Mass and moment of inertia of body `id`, in units of density·px² and density·px⁴. */
-    mass(id: number): { mass: number; inertia: number } {
-      return {
-        mass: 1 / bodies.state[id * STATE + INV_MASS],
-        inertia: 1 / bodies.state[id * STATE + INV_INERTIA],
       }
     },
 
@@ -3485,7 +3419,7 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** What the world is made of, for tools that draw it. */
+    /** What the world is made of. */
     scene,
 
     /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
@@ -3511,17 +3445,14 @@ function createWorld(options: WorldOptions) {
     get resting(): boolean {
       return bodies.awakeCount === 0
     },
+  }
 
-    /** Digest of every pose and velocity, bit for bit (FNV-1a). */
-    hash(): string {
-      let hash = 0x811c9dc5
-      for (let i = 1; i < bodies.count; i++) {
-        if (bodies.alive[i] === 0) continue
-        const words = new Uint32Array(bodies.state.slice(i * STATE, i * STATE + 6).buffer)
-        for (const word of words) hash = Math.imul(hash ^ word, 0x01000193)
-      }
-      return (hash >>> 0).toString(16).padStart(8, '0')
-    },
+  function wakeAll(): void {
+    for (let i = 1; i < bodies.count; i++) {
+      if (!bodies.alive[i]) continue
+      wake(scene, i)
+      bodies.rest[i * 4 + 3] = 0
+    }
   }
 
   /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
@@ -3535,22 +3466,6 @@ function createWorld(options: WorldOptions) {
       contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
       contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
       contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
-    }
-  }
-
-  function count(): void {
-    stats.narrow = contacts.measured
-    stats.rows = contacts.rows
-    stats.hits = impacts.sweeps
-    stats.pairs = 0
-    stats.contacts = 0
-    stats.points = 0
-    for (let c = 0; c < contacts.count; c++) {
-      if (contacts.pair[2 * c + 1] === 0) continue
-      stats.pairs++
-      const points = contacts.data[c * CONTACT + POINTS]
-      if (points > 0) stats.contacts++
-      stats.points += points
     }
   }
 }
@@ -4194,7 +4109,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     on(root, 'touchmove', scroll, { passive: false })
     on(view, 'touchstart', pinch, first)
     on(view, 'pointermove', move, first)
-    on(view, 'scroll', follow, { ...first, passive: true })
+    on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
     on(view, 'pointercancel', up, first)
     on(view, 'lostpointercapture', up, first)
@@ -4264,25 +4179,24 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     else hold(press)
   }
 
-  function track(press: Press, event: PointerEvent, time = event.timeStamp) {
+  function track(press: Press, event: PointerEvent) {
     const { x, y } = press.toStage(event)
     press.at = event
     press.x = x
     press.y = y
-    press.seconds = time / 1000
+    press.seconds = event.timeStamp / 1000
   }
 
   /** The page scrolls under a pointer that stands still. */
-  function follow({ timeStamp }: Event) {
-    for (const press of presses.values()) {
-      track(press, press.at, timeStamp)
-      press.grab?.moveTo(press.x, press.y, press.seconds)
-    }
+  function follow() {
+    for (const press of presses.values()) move(press.at)
   }
 
   function hold(press: Press) {
     const { chip } = press
-    const { x, y } = world!.read(chip.id)
+    const { state: poses } = world!.scene.bodies
+    const x = poses[chip.id * STATE + X]!
+    const y = poses[chip.id * STATE + Y]!
     clearTimeout(press.timer)
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
@@ -4371,7 +4285,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
-  function showable({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
+  function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
     // A frame of another site is not told how large the window is.
     let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
     let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
@@ -4389,7 +4303,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (inView && !listening) arm()
     const area = seen.width * seen.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
-    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * showable(entry)
+    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
     if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)

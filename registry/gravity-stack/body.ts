@@ -239,6 +239,26 @@ export function halfExtents({ state, motion, shape }: Bodies, i: number, give: n
   extents[Y] = Math.min(core, hx * n + hy * c + swing) + r
 }
 
+/** px/s, bound of the speed of the fastest point of body `i`. */
+export function speedOf({ state, shape }: Bodies, i: number): number {
+  const s = i * STATE
+  return (
+    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+  )
+}
+
+/** No body moves faster than `most` px/s. */
+export function capSpeed(state: Float64Array, s: number, most: number): void {
+  const vx = state[s + VX]
+  const vy = state[s + VY]
+  const square = vx * vx + vy * vy
+  if (square > most * most) {
+    const k = most / Math.sqrt(square)
+    state[s + VX] = vx * k
+    state[s + VY] = vy * k
+  }
+}
+
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 export function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies

@@ -356,8 +356,8 @@ export function probe(bodies: Bodies, contacts: Contacts, c: number, p: number):
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
-/** px, bound of how much the gap of contact `c` may have changed since it was measured. */
-function shift(bodies: Bodies, contacts: Contacts, c: number): number {
+/** px, lower bound of the present gap of contact `c`, without measuring: no point of the two has come nearer by more than this. */
+export function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
   const s = bodies.state
   const d = contacts.data
   const a = contacts.pair[2 * c] & INDEX
@@ -368,14 +368,10 @@ function shift(bodies: Bodies, contacts: Contacts, c: number): number {
   const turnA = s[a * STATE + ANGLE] - d[k + FROM_A]
   const turnB = s[b * STATE + ANGLE] - d[k + FROM_B]
   return (
-    Math.abs(x) +
-    Math.abs(y) +
-    bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
-    bodies.shape[b * SHAPE + CORE] * Math.abs(turnB)
+    d[k + CLEAR] -
+    (Math.abs(x) +
+      Math.abs(y) +
+      bodies.shape[a * SHAPE + CORE] * Math.abs(turnA) +
+      bodies.shape[b * SHAPE + CORE] * Math.abs(turnB))
   )
-}
-
-/** px, lower bound of the present gap of contact `c`, without measuring. */
-export function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
-  return contacts.data[c * CONTACT + CLEAR] - shift(bodies, contacts, c)
 }

@@ -2,6 +2,7 @@ import {
   type Bodies,
   BRAKE,
   COS,
+  capSpeed,
   INV_INERTIA,
   INV_MASS,
   MOTION,
@@ -216,9 +217,5 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
       }
     }
   }
-  const speed = Math.sqrt(s[i + VX] * s[i + VX] + s[i + VY] * s[i + VY])
-  if (speed > MAX_TOSS) {
-    s[i + VX] *= MAX_TOSS / speed
-    s[i + VY] *= MAX_TOSS / speed
-  }
+  capSpeed(s, i, MAX_TOSS)
 }

@@ -1,4 +1,20 @@
-import { ANGLE, CORE, EXTENT, grown, INDEX, MOTION, SHAPE, SPIN, STATE, TRAVEL, VX, VY, X, Y } from './body'
+import {
+  ANGLE,
+  CORE,
+  EXTENT,
+  grown,
+  INDEX,
+  MOTION,
+  SHAPE,
+  SPIN,
+  STATE,
+  speedOf,
+  TRAVEL,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
 import { DISTANCE, touch, WIDEST } from './collide'
 import { DEEP, FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, SLOP, SORTING, STEP } from './constants'
 import {
@@ -295,10 +311,8 @@ export function rest(islands: Islands, scene: Scene): void {
 }
 
 /** Whether body `i` is faster than creep, and than friction would stop within the distance that rest allows. */
-function moving({ bodies: { state, shape }, friction, gravity }: Scene, i: number): boolean {
-  const s = i * STATE
-  const speed =
-    Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
+function moving({ bodies, friction, gravity }: Scene, i: number): boolean {
+  const speed = speedOf(bodies, i)
   return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
 }
 

@@ -3,6 +3,7 @@ import {
   ANGLE,
   BRAKE,
   CORE,
+  capSpeed,
   DRIFT_ANGLE,
   DRIFT_X,
   DRIFT_Y,
@@ -504,21 +505,9 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
     const speed = Math.abs(vx) + Math.abs(vy) + extent * Math.abs(spin)
     const gain = Math.abs(pushX) + Math.abs(pushY + gravity * h)
     if (Math.max(speed - BALANCE, gain - least) > 0) active++
-    capSpeed(state, s)
+    capSpeed(state, s, MAX_SPEED)
   }
   return active
-}
-
-/** Nothing moves faster than the cap, so that no margin is ever too small. */
-export function capSpeed(state: Float64Array, s: number): void {
-  const vx = state[s + VX]
-  const vy = state[s + VY]
-  const square = vx * vx + vy * vy
-  if (square > MAX_SPEED * MAX_SPEED) {
-    const k = MAX_SPEED / Math.sqrt(square)
-    state[s + VX] = vx * k
-    state[s + VY] = vy * k
-  }
 }
 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */

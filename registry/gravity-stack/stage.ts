@@ -2,7 +2,7 @@ import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
 import { BOUNCE, FRICTION, GRAVITY, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
-import { createWorld, type World } from './world'
+import { createWorld, type World } from './simulation'
 
 // The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.
@@ -539,7 +539,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     on(root, 'touchmove', scroll, { passive: false })
     on(view, 'touchstart', pinch, first)
     on(view, 'pointermove', move, first)
-    on(view, 'scroll', follow, { ...first, passive: true })
+    on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
     on(view, 'pointercancel', up, first)
     on(view, 'lostpointercapture', up, first)
@@ -609,25 +609,24 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     else hold(press)
   }
 
-  function track(press: Press, event: PointerEvent, time = event.timeStamp) {
+  function track(press: Press, event: PointerEvent) {
     const { x, y } = press.toStage(event)
     press.at = event
     press.x = x
     press.y = y
-    press.seconds = time / 1000
+    press.seconds = event.timeStamp / 1000
   }
 
   /** The page scrolls under a pointer that stands still. */
-  function follow({ timeStamp }: Event) {
-    for (const press of presses.values()) {
-      track(press, press.at, timeStamp)
-      press.grab?.moveTo(press.x, press.y, press.seconds)
-    }
+  function follow() {
+    for (const press of presses.values()) move(press.at)
   }
 
   function hold(press: Press) {
     const { chip } = press
-    const { x, y } = world!.read(chip.id)
+    const { state: poses } = world!.scene.bodies
+    const x = poses[chip.id * STATE + X]!
+    const y = poses[chip.id * STATE + Y]!
     clearTimeout(press.timer)
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
@@ -716,7 +715,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
-  function showable({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
+  function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
     // A frame of another site is not told how large the window is.
     let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
     let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
@@ -734,7 +733,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (inView && !listening) arm()
     const area = seen.width * seen.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
-    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * showable(entry)
+    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
     if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)

@@ -3,16 +3,16 @@ import {
   ANGLE,
   air,
   type Bodies,
-  EXTENT,
+  capSpeed,
   INV_INERTIA,
   INV_MASS,
   MOTION,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
-  SHAPE,
   SPIN,
   STATE,
+  speedOf,
   tally,
   VX,
   VY,
@@ -30,6 +30,7 @@ import {
   LIVELY,
   LIVELY_BOUNCE,
   MARGIN,
+  MAX_SPEED,
   PARTINGS,
   PATIENCE,
   RELAXATION,
@@ -52,23 +53,16 @@ import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
 import { keepInBox, Pairs, updatePairs } from './pairs'
-import { capSpeed, deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
+import { deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
 
-/** What the world did in the last call of its `step`, for tests and tools; `awake` and `islands` are of its last step. */
-export class Stats {
+/** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
+class Stats {
   /** Steps in which something was awake; others are not taken. */
   steps = 0
   awake = 0
-  pairs = 0
-  narrow = 0
-  contacts = 0
-  points = 0
   islands = 0
   substeps = 0
   sweeps = 0
-  /** Contacts visited by the sweeps over impacts. */
-  hits = 0
-  rows = 0
 }
 
 /**
@@ -154,7 +148,7 @@ function fly(simulation: Simulation, i: number): void {
   state[s + VX] *= linear.fade
   state[s + VY] = linear.fade * state[s + VY] + gravity * linear.reach
   state[s + SPIN] *= spin.fade
-  capSpeed(state, s)
+  capSpeed(state, s, MAX_SPEED)
   keepInside(simulation, i)
 }
 
@@ -278,7 +272,7 @@ function weigh(simulation: Simulation, b0: number, b1: number, at: number): void
 /** px/s, speed of the fastest point of the bodies of an island; whether their masses are very unlike is noted in passing. */
 function fastest(simulation: Simulation, b0: number, b1: number): number {
   const { bodies, islands } = simulation
-  const { state, shape } = bodies
+  const { state } = bodies
   let most = 0
   let lightest = 0
   let heaviest = Infinity
@@ -288,11 +282,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
     const inverse = state[s + INV_MASS]
     if (inverse > lightest) lightest = inverse
     if (inverse < heaviest) heaviest = inverse
-    const speed =
-      Math.abs(state[s + VX]) +
-      Math.abs(state[s + VY]) +
-      shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-    if (speed > most) most = speed
+    most = Math.max(most, speedOf(bodies, i))
   }
   simulation.uneven = Math.min(1e6, lightest / heaviest) | 0
   return most
@@ -370,19 +360,13 @@ export function disturb(scene: Scene, i: number): void {
 /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
 function wakeStruck(scene: Scene): void {
   const { bodies, contacts, walls, gravity } = scene
-  const { state, shape } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
       if (j === 0 || bodies.asleep[j] === 0) continue
       const c = edge >> 1
-      const s = i * STATE
-      const speed =
-        Math.abs(state[s + VX]) +
-        Math.abs(state[s + VY]) +
-        shape[i * SHAPE + EXTENT] * Math.abs(state[s + SPIN])
-      const go = speed * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
+      const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
       measure(bodies, contacts, walls, c)

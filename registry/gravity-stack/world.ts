@@ -1,73 +1,8 @@
-import {
-  ANGLE,
-  grow,
-  INV_INERTIA,
-  INV_MASS,
-  MAX_DAMPING,
-  SPIN,
-  STATE,
-  setPose,
-  setShape,
-  VX,
-  VY,
-  X,
-  Y,
-} from './body'
-import {
-  ANGULAR_DAMPING,
-  BOUNCE,
-  BOUNCE_THRESHOLD,
-  FRICTION,
-  GRAVITY,
-  LINEAR_DAMPING,
-  STEP,
-  SUBSTEPS,
-} from './constants'
-import { CLEAR, CONTACT, DRAG, DUE, LOAD, POINTS, SECOND } from './contacts'
-import { createHold, recordHold, throwVelocity } from './grab'
-import { enterPairs, leavePairs } from './pairs'
-import { capSpeed } from './solver'
-import { disturb, Simulation, type Stats, stepOnce, wake } from './step'
+import { ANGLE, INV_INERTIA, INV_MASS, SPIN, STATE, VX, VY, X, Y } from './body'
+import { CONTACT, POINTS } from './contacts'
+import { createWorld as createBareWorld, type WorldOptions } from './simulation'
 
-export interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
-  width: number
-  height: number
-  /** px/s² downwards. */
-  gravity?: number
-  /** Restitution, 0..1. */
-  bounce?: number
-  /** Coulomb coefficient, 0 or more. */
-  friction?: number
-  /** 1/s, drag of the air on velocity and on spin. */
-  linearDamping?: number
-  angularDamping?: number
-  /** px/s of approach below which nothing bounces. */
-  bounceThreshold?: number
-  /** `false` keeps every body awake, for measuring. */
-  sleep?: boolean
-  /** Sub-steps a step of 1/60 s, 1..64, at most: an island that stands still takes fewer. 6 if left out. */
-  substeps?: number
-}
-
-export interface BodyOptions {
-  /** px, outer size and corner radius. */
-  width: number
-  height: number
-  radius?: number
-  /** px, centre; radians clockwise on screen. */
-  x: number
-  y: number
-  angle?: number
-  /** px/s and rad/s. */
-  vx?: number
-  vy?: number
-  spin?: number
-  /** Mass a px². */
-  density?: number
-}
-
-export type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
+export type { BodyOptions, Grab, Motion, WorldOptions } from './simulation'
 
 export interface Reading {
   x: number
@@ -79,169 +14,41 @@ export interface Reading {
   asleep: boolean
 }
 
-export interface Grab {
-  /** Where the pointer is, px, and when it was there, s on any clock. */
-  moveTo(x: number, y: number, seconds: number): void
-  /** Lets go: the body leaves with the pointer's velocity if it kept up, else with its own; at most `MAX_TOSS`. */
-  release(): void
-}
-
 export type World = ReturnType<typeof createWorld>
 
-/**
- * A world of rounded boxes in a stage. Same calls, same bits, in every JavaScript engine.
- * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
- */
+/** A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people copy. */
 export function createWorld(options: WorldOptions) {
-  const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-  const scene = new Simulation(
-    substeps,
-    within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
-    within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
-  )
-  const { bodies, contacts, walls, holds, pairs, islands, impacts, stats } = scene
-  walls.width = size(options.width)
-  walls.height = size(options.height)
-  scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
-  scene.bounce = within(options.bounce, 0, 1, BOUNCE)
-  scene.friction = within(options.friction, 0, 100, FRICTION)
-  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
-  scene.sleeps = options.sleep !== false
-  const freeSlots: number[] = []
-  const pose: Float64Array = new Float64Array(3)
-  /** s, time handed in and not simulated yet. */
-  let left = 0
+  const world = createBareWorld(options)
+  const { bodies, contacts, impacts, stats } = world.scene
 
-  return {
-    get stats(): Readonly<Stats> {
-      count()
-      return stats
-    },
-
-    /** Adds a body and returns its id. */
-    add(body: BodyOptions): number {
-      const i = freeSlots.pop() ?? bodies.count++
-      const capacity = bodies.alive.length
-      if (capacity < bodies.count)
-        for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
-      const s = i * STATE
-      bodies.density[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
-      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
-      setPose(
-        bodies,
-        i,
-        within(body.x, -FAR, FAR, 0),
-        within(body.y, -FAR, FAR, 0),
-        within(body.angle, -FAR, FAR, 0),
-      )
-      bodies.state[s + VX] = finite(body.vx)
-      bodies.state[s + VY] = finite(body.vy)
-      bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
-      capSpeed(bodies.state, s)
-      bodies.alive[i] = 1
-      bodies.asleep[i] = 0
-      bodies.held[i] = 0
-      bodies.jams[i] = 0
-      bodies.undrawn[i] = 1
-      bodies.awake[bodies.awakeCount++] = i
-      enterPairs(pairs, contacts, i)
-      return i
-    },
-
-    /** Takes body `id` out; what leaned on it wakes. */
-    remove(id: number): void {
-      if (!bodies.alive[id]) return
-      disturb(scene, id)
-      for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
-      leavePairs(pairs, contacts, id)
-      const { awake, awakeCount } = bodies
-      bodies.awakeCount = 0
-      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
-      bodies.alive[id] = 0
-      freeSlots.push(id)
-    },
-
-    /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
-    place(id: number, motion: Motion): void {
-      if (!bodies.alive[id]) return
-      disturb(scene, id)
-      const s = id * STATE
-      const state = bodies.state
-      setPose(
-        bodies,
-        id,
-        within(motion.x, -FAR, FAR, state[s + X]),
-        within(motion.y, -FAR, FAR, state[s + Y]),
-        within(motion.angle, -FAR, FAR, state[s + ANGLE]),
-      )
-      state[s + VX] = finite(motion.vx, state[s + VX])
-      state[s + VY] = finite(motion.vy, state[s + VY])
-      state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
-      capSpeed(state, s)
-      forget(id)
-    },
-
-    /** Gives body `id` a new size (px) in place; what it touches wakes. */
-    reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
-      if (!bodies.alive[id]) return
-      disturb(scene, id)
-      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
-      forget(id)
-    },
-
-    /** Moves floor and right wall; wakes everything. */
-    resize(width: number, height: number): void {
-      if (size(width) === walls.width && size(height) === walls.height) return
-      walls.width = size(width)
-      walls.height = size(height)
-      for (let i = 1; i < bodies.count; i++) {
-        if (!bodies.alive[i]) continue
-        wake(scene, i)
-        bodies.rest[i * 4 + 3] = 0
-        forget(i)
+  const tools = {
+    /** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
+    get stats() {
+      let pairs = 0
+      let touching = 0
+      let points = 0
+      for (let c = 0; c < contacts.count; c++) {
+        if (contacts.pair[2 * c + 1] === 0) continue
+        pairs++
+        const here = contacts.data[c * CONTACT + POINTS]
+        if (here > 0) touching++
+        points += here
+      }
+      return {
+        ...stats,
+        pairs,
+        /** Pairs measured. */
+        narrow: contacts.measured,
+        contacts: touching,
+        points,
+        /** Contacts visited by the sweeps over impacts. */
+        hits: impacts.sweeps,
+        /** Contacts visited by the sweeps over velocities. */
+        rows: contacts.rows,
       }
     },
 
-    /** Changes gravity (px/s²), bounce or friction; wakes everything. */
-    configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
-      const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
-      scene.friction = within(change.friction, 0, 100, scene.friction)
-      // What rests weighs as much more or less at once: else a pile hops.
-      const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
-      for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
-        contacts.data[k + LOAD] *= share
-        contacts.data[k + SECOND + LOAD] *= share
-        contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
-      }
-      scene.gravity = gravity
-      scene.bounce = within(change.bounce, 0, 1, scene.bounce)
-      for (let i = 1; i < bodies.count; i++) {
-        if (!bodies.alive[i]) continue
-        wake(scene, i)
-        bodies.rest[i * 4 + 3] = 0
-      }
-    },
-
-    /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
-    step(seconds: number): void {
-      stats.steps = 0
-      stats.awake = 0
-      contacts.measured = 0
-      stats.islands = 0
-      stats.substeps = 0
-      stats.sweeps = 0
-      stats.rows = 0
-      contacts.rows = 0
-      impacts.sweeps = 0
-      left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
-      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
-      while (left >= STEP * 0.999) {
-        left -= STEP
-        if (bodies.awakeCount > 0) stepOnce(scene)
-      }
-    },
-
-    /** Pose and velocity of body `id`: px, radians, px/s, rad/s. For tests and tools; not used in a loop. */
+    /** Pose and velocity of body `id`: px, radians, px/s, rad/s. */
     read(id: number): Reading {
       const s = id * STATE
       const state = bodies.state
@@ -264,60 +71,6 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
-    grab(id: number, x: number, y: number): Grab {
-      if (!bodies.alive[id]) return { moveTo() {}, release() {} }
-      const hold = createHold(
-        bodies,
-        id,
-        within(x, -FAR, FAR, bodies.state[id * STATE + X]),
-        within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
-      )
-      disturb(scene, id)
-      bodies.held[id]++
-      holds.push(hold)
-      return {
-        moveTo(toX, toY, seconds) {
-          const when = within(seconds, -1e12, 1e12, 0)
-          recordHold(hold, within(toX, -FAR, FAR, hold.x), within(toY, -FAR, FAR, hold.y), when)
-        },
-        release() {
-          const n = holds.indexOf(hold)
-          if (n < 0) return
-          holds.splice(n, 1)
-          bodies.held[id]--
-          throwVelocity(bodies, hold)
-        },
-      }
-    },
-
-    /** What the world is made of, for tools that draw it. */
-    scene,
-
-    /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
-    pose,
-
-    /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
-    eachMoved(visit: (id: number, asleep: boolean) => void): void {
-      const share = Math.min(1, Math.max(0, left / STEP))
-      const { state, before, undrawn } = bodies
-      for (let i = 1; i < bodies.count; i++) {
-        if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
-        undrawn[i] = 1 - bodies.asleep[i]
-        for (let axis = 0; axis < 3; axis++) {
-          const now = state[i * STATE + axis]
-          const then = before[i * 3 + axis]
-          pose[axis] = undrawn[i] > 0 ? then + share * (now - then) : now
-        }
-        visit(i, undrawn[i] === 0)
-      }
-    },
-
-    /** True when nothing is awake. */
-    get resting(): boolean {
-      return bodies.awakeCount === 0
-    },
-
     /** Digest of every pose and velocity, bit for bit (FNV-1a). */
     hash(): string {
       let hash = 0x811c9dc5
@@ -329,55 +82,6 @@ export function createWorld(options: WorldOptions) {
       return (hash >>> 0).toString(16).padStart(8, '0')
     },
   }
-
-  /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
-  function forget(i: number): void {
-    pairs.box[i * 4] = Infinity
-    bodies.undrawn[i] = 1
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
-    }
-  }
-
-  function count(): void {
-    stats.narrow = contacts.measured
-    stats.rows = contacts.rows
-    stats.hits = impacts.sweeps
-    stats.pairs = 0
-    stats.contacts = 0
-    stats.points = 0
-    for (let c = 0; c < contacts.count; c++) {
-      if (contacts.pair[2 * c + 1] === 0) continue
-      stats.pairs++
-      const points = contacts.data[c * CONTACT + POINTS]
-      if (points > 0) stats.contacts++
-      stats.points += points
-    }
-  }
-}
-
-/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
-const FAR = 1e6
-
-function finite(value: number | undefined, otherwise = 0): number {
-  return typeof value === 'number' && value - value === 0 ? value : otherwise
-}
-
-/** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
-function within(value: number | undefined, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
-}
-
-function positive(value: number | undefined, otherwise: number): number {
-  return value !== undefined && value > 0 && value < Infinity ? value : otherwise
-}
-
-/** px; a size below 1 px, or none, counts as 1 px. */
-function size(value: number): number {
-  return Math.max(1, Math.min(FAR, finite(value)))
+  return Object.defineProperties(world, Object.getOwnPropertyDescriptors(tools)) as typeof world &
+    typeof tools
 }
