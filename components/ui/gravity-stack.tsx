@@ -62,6 +62,8 @@ const SWEEP_BUDGET = 16_000
 const RELAXATION = 1.3
 const CROWDED = 12
 const CREEP = 3
+/** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
+const RUNAWAY = 8
 /** px of overlap from which an island is not over-relaxed. */
 const CRUSHED = 1
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
@@ -1928,8 +1930,7 @@ function resolve(impacts: Impacts, scene: Scene): void {
       }
     }
     impacts.sweeps += impacts.count
-    // Taken further each time, it would run away.
-    if (most > 8 * impacts.fastest) further = 1
+    if (most > RUNAWAY * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }
   keepEnergy(impacts, scene)
@@ -3028,8 +3029,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)
-      // Where friction or a third chip has a say in it, it may run away.
-      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > 8 * speed)
+      // Where friction or a third chip has a say, it may not converge.
+      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
       stats.sweeps++
     }

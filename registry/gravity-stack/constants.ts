@@ -44,6 +44,8 @@ export const SWEEP_BUDGET = 16_000
 export const RELAXATION = 1.3
 export const CROWDED = 12
 export const CREEP = 3
+/** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
+export const RUNAWAY = 8
 /** px of overlap from which an island is not over-relaxed. */
 export const CRUSHED = 1
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */

@@ -22,6 +22,7 @@ import {
   IMPACT_TOLERANCE,
   IMPACT_TOUCH,
   MARGIN,
+  RUNAWAY,
   SWEEPS_UNEVEN,
   UNEVEN,
 } from './constants'
@@ -233,8 +234,7 @@ export function resolve(impacts: Impacts, scene: Scene): void {
       }
     }
     impacts.sweeps += impacts.count
-    // Taken further each time, it would run away.
-    if (most > 8 * impacts.fastest) further = 1
+    if (most > RUNAWAY * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }
   keepEnergy(impacts, scene)

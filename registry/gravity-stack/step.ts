@@ -35,6 +35,7 @@ import {
   PATIENCE,
   RELAXATION,
   ROUNDS,
+  RUNAWAY,
   SLOP,
   STEP,
   SWEEP_BUDGET,
@@ -205,8 +206,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)
-      // Where friction or a third chip has a say in it, it may run away.
-      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > 8 * speed)
+      // Where friction or a third chip has a say, it may not converge.
+      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
       stats.sweeps++
     }
