@@ -3248,7 +3248,7 @@ type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spi
 interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
-  /** Lets go: the body leaves with the pointer's velocity if it kept up, else with its own; at most `MAX_TOSS`. */
+  /** Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else with its own; at most `MAX_TOSS`. */
   release(): void
 }
 
