@@ -1,4 +1,12 @@
-import { expect, test } from './fixtures/stage'
+import type { Page } from '@playwright/test'
+import { expect, type StagePage, test } from './fixtures/stage'
+
+declare global {
+  interface Window {
+    /** Transforms of the chips when the stage's state first changed. */
+    shown?: string[]
+  }
+}
 
 for (const react of ['18', '19']) {
   test.describe(`React ${react}`, () => {
@@ -8,8 +16,7 @@ for (const react of ['18', '19']) {
       await stage.settled('pile', { react, chips: 6 })
       expect(await stage.overlap()).toBeLessThan(1)
       expect(await stage.probe(({ errors, warnings }) => [...errors, ...warnings])).toEqual([])
-      // StrictMode mounts twice: the first stage leaves everything as it was rendered.
-      expect(await stage.probe((probe) => probe.states)).toEqual(['static', 'waiting', 'running', 'resting'])
+      expect(await stage.probe((probe) => probe.states)).toEqual(['waiting', 'running', 'resting'])
     })
 
     test('ref and actions work', async ({ stage, page }) => {
@@ -36,3 +43,65 @@ for (const react of ['18', '19']) {
     })
   })
 }
+
+test.describe('in an Activity that is hidden and shown again', () => {
+  /** The stage is out of sight, and nothing of the page is watched for it. */
+  async function hide(stage: StagePage, page: Page) {
+    await page.locator('#next').click()
+    await expect(stage.root).toBeHidden()
+    await expect.poll(() => stage.probe(({ observed }) => observed.intersection)).toBe(0)
+    expect(
+      await stage.probe(({ observed, listeners }) => ({ ...observed, listeners: { ...listeners } })),
+    ).toEqual({
+      intersection: 0,
+      resize: 0,
+      mutation: 0,
+      listeners: {},
+    })
+    expect(await stage.during('frames')).toBe(0)
+    expect(await stage.probe((probe) => probe.timers)).toBe(0)
+  }
+
+  test('chips fall on from where they were, what was changed meanwhile falls anew', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('surroundings', { kind: 'hidden' })
+    await expect(stage.chip('four')).toHaveAttribute('data-state', 'falling')
+    await hide(stage, page)
+    await expect(stage.root).toHaveAttribute('data-state', 'paused')
+    const drawn = () =>
+      stage.chips.evaluateAll((all) => all.map((chip) => (chip as HTMLElement).style.transform))
+    const before = await drawn()
+    expect(before).toHaveLength(3)
+    await page.evaluate(() => {
+      new MutationObserver(() => {
+        window.shown ??= [...document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')].map(
+          (chip) => chip.style.transform,
+        )
+      }).observe(document.querySelector('[data-slot=gravity-stack]')!, { attributeFilter: ['data-state'] })
+    })
+    await page.locator('#next').click()
+    await stage.reaches('resting')
+    // As it begins to run nothing has moved yet.
+    expect((await page.evaluate(() => window.shown))!.slice(0, 3)).toEqual(before)
+    const released = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
+    expect(released.sort()).toEqual([0, 1, 2, 3, 3])
+    expect(await stage.states()).toEqual(Array(4).fill('resting'))
+    expect(await stage.overlap()).toBeLessThan(1)
+  })
+
+  test('a paused pile is still there, and still paused', async ({ stage, page }) => {
+    await stage.settled('surroundings', { kind: 'hidden' })
+    await page.locator('#pause').click()
+    const { poses } = await stage.pile()
+    await hide(stage, page)
+    await page.locator('#next').click()
+    await expect(stage.root).toBeVisible()
+    await expect.poll(() => stage.probe(({ observed }) => observed.intersection)).toBe(1)
+    await stage.reaches('paused')
+    expect((await stage.pile()).poses.slice(0, 3)).toEqual(poses.slice(0, 3))
+    await page.locator('#drop').click()
+    await stage.reaches('resting')
+  })
+})

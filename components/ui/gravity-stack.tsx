@@ -3629,8 +3629,10 @@ interface Stage {
   shake(): void
   /** To be called when `pausing` has changed. */
   sync(): void
-  /** Lets go of everything and leaves the elements as they were rendered. */
-  destroy(): void
+  /** To be called once its element is on the page, and again after `detach`. */
+  attach(): void
+  /** Lets go of everything outside of it. Its pile it keeps: React ends the effects of what it only hides. */
+  detach(): void
 }
 
 interface Chip {
@@ -3732,7 +3734,7 @@ function pointerMap(root: HTMLElement) {
   }
 }
 
-/** `pausing.current` is whether its owner has paused the stage: it outlives one that is hidden and made anew. */
+/** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
@@ -3766,7 +3768,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let unseen: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  /** Ends all listeners. There since the stage first came into view. */
+  /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
 
   // Shapes
@@ -4082,7 +4084,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    if (!still.matches) sizes.observe(root)
+    stillChanged()
     collect()
     listen()
     focus({ target: (root.getRootNode() as Document).activeElement })
@@ -4298,18 +4300,18 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     return Math.min(wide, whole.width) * Math.min(high, whole.height)
   }
 
-  watch(root, (entry) => {
-    const { isIntersecting, intersectionRatio, intersectionRect: seen } = entry
+  function seen(entry: IntersectionObserverEntry) {
+    const { isIntersecting, intersectionRatio, intersectionRect: shown } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
-    const area = seen.width * seen.height
+    const area = shown.width * shown.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
     if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
-  })
+  }
 
   return {
     update(next) {
@@ -4352,21 +4354,19 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       sync()
     },
     sync,
-    destroy() {
+    attach: () => watch(root, seen),
+    detach() {
+      inView = false
+      sync()
       presses.forEach(letGo)
       watcher!.unobserve(root)
       watched.delete(root)
       listening?.abort()
+      listening = undefined
       clearTimeout(unseen)
       sizes.disconnect()
       changes.disconnect()
       disarm()
-      cancelFrame(tick)
-      root.setAttribute('data-state', 'static')
-      for (const chip of chips.values()) {
-        mark(chip, 'waiting')
-        chip.element.style.zIndex = ''
-      }
     },
   }
 }
@@ -4473,12 +4473,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
   React.useEffect(() => {
     // A document without layout, as tests have it, has nothing to watch.
     if (typeof ResizeObserver === 'undefined') return
-    const created = createStage(root.current!, pausing)
-    stage.current = created
-    return () => {
-      created.destroy()
-      stage.current = null
-    }
+    // What React hides and shows again keeps its pile.
+    stage.current ??= createStage(root.current!, pausing)
+    stage.current.attach()
+    return stage.current.detach
   }, [])
 
   React.useEffect(() => {

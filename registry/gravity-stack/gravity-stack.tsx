@@ -102,12 +102,10 @@ export const GravityStack = React.forwardRef(function GravityStack(
   React.useEffect(() => {
     // A document without layout, as tests have it, has nothing to watch.
     if (typeof ResizeObserver === 'undefined') return
-    const created = createStage(root.current!, pausing)
-    stage.current = created
-    return () => {
-      created.destroy()
-      stage.current = null
-    }
+    // What React hides and shows again keeps its pile.
+    stage.current ??= createStage(root.current!, pausing)
+    stage.current.attach()
+    return stage.current.detach
   }, [])
 
   React.useEffect(() => {

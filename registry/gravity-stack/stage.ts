@@ -58,8 +58,10 @@ export interface Stage {
   shake(): void
   /** To be called when `pausing` has changed. */
   sync(): void
-  /** Lets go of everything and leaves the elements as they were rendered. */
-  destroy(): void
+  /** To be called once its element is on the page, and again after `detach`. */
+  attach(): void
+  /** Lets go of everything outside of it. Its pile it keeps: React ends the effects of what it only hides. */
+  detach(): void
 }
 
 interface Chip {
@@ -161,7 +163,7 @@ function pointerMap(root: HTMLElement) {
   }
 }
 
-/** `pausing.current` is whether its owner has paused the stage: it outlives one that is hidden and made anew. */
+/** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   const still = page.defaultView!.matchMedia(STILL)
@@ -195,7 +197,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let unseen: ReturnType<typeof setTimeout> | undefined
   let front = 0
   let swallowClick = false
-  /** Ends all listeners. There since the stage first came into view. */
+  /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
 
   // Shapes
@@ -511,7 +513,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    if (!still.matches) sizes.observe(root)
+    stillChanged()
     collect()
     listen()
     focus({ target: (root.getRootNode() as Document).activeElement })
@@ -727,18 +729,18 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     return Math.min(wide, whole.width) * Math.min(high, whole.height)
   }
 
-  watch(root, (entry) => {
-    const { isIntersecting, intersectionRatio, intersectionRect: seen } = entry
+  function seen(entry: IntersectionObserverEntry) {
+    const { isIntersecting, intersectionRatio, intersectionRect: shown } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
-    const area = seen.width * seen.height
+    const area = shown.width * shown.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
     if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
-  })
+  }
 
   return {
     update(next) {
@@ -781,21 +783,19 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sync()
     },
     sync,
-    destroy() {
+    attach: () => watch(root, seen),
+    detach() {
+      inView = false
+      sync()
       presses.forEach(letGo)
       watcher!.unobserve(root)
       watched.delete(root)
       listening?.abort()
+      listening = undefined
       clearTimeout(unseen)
       sizes.disconnect()
       changes.disconnect()
       disarm()
-      cancelFrame(tick)
-      root.setAttribute('data-state', 'static')
-      for (const chip of chips.values()) {
-        mark(chip, 'waiting')
-        chip.element.style.zIndex = ''
-      }
     },
   }
 }
