@@ -537,6 +537,20 @@ export const hardScenes: HardScene[] = [
     bounds: settles,
   },
   {
+    name: 'pressed-by-a-wall',
+    title: 'A wall moves into the pile at 240 px/s, and takes a third of the stage',
+    ...stage,
+    seconds: 12,
+    conditions: aired,
+    seeds: 20,
+    build: (seed) => pour('pills', 60, seed),
+    act(frame, actor) {
+      if (frame > 240 && frame <= 300) actor.resize(640 - 4 * (frame - 240), 340)
+    },
+    calmFrom: 5,
+    bounds: { ...settles, 'overlap during': 4 },
+  },
+  {
     name: 'collapsed-and-back',
     title: 'The stage collapses to nothing and comes back',
     ...stage,

@@ -148,6 +148,8 @@ const REST_TIME = 0.5
 /** s for which a group that could sleep is parted first where it is deeper than rest leaves it, and contacts visited for that in a step. */
 const SORTING = 0.1
 const STRAIGHTENING = 20_000
+/** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
+const ROOM_ROUNDS = 4
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
@@ -2556,9 +2558,9 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
 }
 
 /**
- * Parts the first `bodyCount` bodies of `chips`, which are about to fall asleep, as nothing would part them any more: the first
- * `count` contacts of `list` are pushed apart and measured again, until none is deeper than rest leaves them or that is enough
- * for a step. Returns whether it moved anything.
+ * Parts the first `bodyCount` bodies of `chips`, which nothing else would part in time: the first `count` contacts of `list` are
+ * pushed apart and measured again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it
+ * moved anything.
  */
 function straighten(
   scene: Scene,
@@ -2569,16 +2571,17 @@ function straighten(
 ): boolean {
   const { bodies, contacts, walls } = scene
   touch[WIDEST] = MARGIN
+  for (let n = 0; n < bodyCount; n++) {
+    // A chip that reaches from wall to wall and beyond has no place to go.
+    halfExtents(bodies, chips[n], 0, 0)
+    if (2 * extents[X] > walls.width + 2) return false
+  }
   let rounds = 0
   for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
-    for (let i = 0; i < count; i++) {
-      measure(bodies, contacts, walls, list[i])
-      // A chip that reaches from wall to wall and beyond has no place to go.
-      const across = contacts.wall[list[i]] > 1 && contacts.data[list[i] * CONTACT + CLEAR] < -1
-      if (across && rounds === 0) return false
-    }
+    for (let i = 0; i < count; i++) measure(bodies, contacts, walls, list[i])
     let passes = 0
-    while (passes < PARTINGS && separate(scene, list, 0, count) > 0) passes++
+    const most = Math.min(PARTINGS, visits / count)
+    while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
     visits -= passes * count
@@ -2910,6 +2913,8 @@ class Simulation extends Scene {
   flightSpinAir: Air
   /** Of the present island, before and after its step. */
   energies: Float64Array = new Float64Array(4)
+  /** Steps left in which room is made for what was pressed together. */
+  cramped = 0
   /** Number of the present sweep. */
   round = 0
 
@@ -2936,6 +2941,7 @@ function stepOnce(simulation: Simulation): void {
     before[i * 3 + 1] = state[i * STATE + Y]
     before[i * 3 + 2] = state[i * STATE + ANGLE]
   }
+  if (simulation.cramped > 0) makeRoom(simulation)
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
   updatePairs(simulation, pairs)
   if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
@@ -3144,6 +3150,28 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
   return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
 }
 
+/**
+ * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity changes, so
+ * nothing is thrown. After a jump it takes some steps.
+ */
+function makeRoom(simulation: Simulation): void {
+  const { bodies, contacts, pairs } = simulation
+  const { asleep, awake, awakeCount } = bodies
+  const { pair } = contacts
+  simulation.cramped--
+  for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
+    updatePairs(simulation, pairs)
+    const list: Int32Array = new Int32Array(contacts.count)
+    let count = 0
+    for (let c = 0; c < contacts.count; c++)
+      if (pair[2 * c + 1] > 0 && asleep[pair[2 * c]] + asleep[pair[2 * c + 1]] === 0) list[count++] = c
+    if (!straighten(simulation, list, count, awake, awakeCount)) {
+      simulation.cramped = 0
+      return
+    }
+  }
+}
+
 // Waking -----------------------------------------------------------------------------------------------------------------
 
 /** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
@@ -3348,6 +3376,7 @@ function createWorld(options: WorldOptions) {
       disturb(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
+      scene.cramped = PATIENCE
     },
 
     /** Moves floor and right wall; wakes everything. */
@@ -3356,7 +3385,8 @@ function createWorld(options: WorldOptions) {
       walls.width = size(width)
       walls.height = size(height)
       wakeAll()
-      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) forget(i)
+      for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
+      scene.cramped = PATIENCE
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */

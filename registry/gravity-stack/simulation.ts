@@ -7,6 +7,7 @@ import {
   GRAVITY,
   LINEAR_DAMPING,
   MAX_SPEED,
+  PATIENCE,
   STEP,
   SUBSTEPS,
 } from './constants'
@@ -158,6 +159,7 @@ export function createWorld(options: WorldOptions) {
       disturb(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
+      scene.cramped = PATIENCE
     },
 
     /** Moves floor and right wall; wakes everything. */
@@ -166,7 +168,8 @@ export function createWorld(options: WorldOptions) {
       walls.width = size(width)
       walls.height = size(height)
       wakeAll()
-      for (let i = 1; i < bodies.count; i++) if (bodies.alive[i]) forget(i)
+      for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
+      scene.cramped = PATIENCE
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */

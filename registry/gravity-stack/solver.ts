@@ -590,9 +590,9 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
 }
 
 /**
- * Parts the first `bodyCount` bodies of `chips`, which are about to fall asleep, as nothing would part them any more: the first
- * `count` contacts of `list` are pushed apart and measured again, until none is deeper than rest leaves them or that is enough
- * for a step. Returns whether it moved anything.
+ * Parts the first `bodyCount` bodies of `chips`, which nothing else would part in time: the first `count` contacts of `list` are
+ * pushed apart and measured again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it
+ * moved anything.
  */
 export function straighten(
   scene: Scene,
@@ -603,16 +603,17 @@ export function straighten(
 ): boolean {
   const { bodies, contacts, walls } = scene
   touch[WIDEST] = MARGIN
+  for (let n = 0; n < bodyCount; n++) {
+    // A chip that reaches from wall to wall and beyond has no place to go.
+    halfExtents(bodies, chips[n], 0, 0)
+    if (2 * extents[X] > walls.width + 2) return false
+  }
   let rounds = 0
   for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
-    for (let i = 0; i < count; i++) {
-      measure(bodies, contacts, walls, list[i])
-      // A chip that reaches from wall to wall and beyond has no place to go.
-      const across = contacts.wall[list[i]] > 1 && contacts.data[list[i] * CONTACT + CLEAR] < -1
-      if (across && rounds === 0) return false
-    }
+    for (let i = 0; i < count; i++) measure(bodies, contacts, walls, list[i])
     let passes = 0
-    while (passes < PARTINGS && separate(scene, list, 0, count) > 0) passes++
+    const most = Math.min(PARTINGS, visits / count)
+    while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
     visits -= passes * count

@@ -34,6 +34,7 @@ import {
   PARTINGS,
   PATIENCE,
   RELAXATION,
+  ROOM_ROUNDS,
   ROUNDS,
   RUNAWAY,
   SLOP,
@@ -54,7 +55,7 @@ import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
 import { keepInBox, Pairs, updatePairs } from './pairs'
-import { deepest, keepInside, kick, lift, move, prepare, separate, sweep } from './solver'
+import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
 
 /** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
 class Stats {
@@ -87,6 +88,8 @@ export class Simulation extends Scene {
   flightSpinAir: Air
   /** Of the present island, before and after its step. */
   energies: Float64Array = new Float64Array(4)
+  /** Steps left in which room is made for what was pressed together. */
+  cramped = 0
   /** Number of the present sweep. */
   round = 0
 
@@ -113,6 +116,7 @@ export function stepOnce(simulation: Simulation): void {
     before[i * 3 + 1] = state[i * STATE + Y]
     before[i * 3 + 2] = state[i * STATE + ANGLE]
   }
+  if (simulation.cramped > 0) makeRoom(simulation)
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
   updatePairs(simulation, pairs)
   if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
@@ -319,6 +323,28 @@ function warmStart(
 /** Whether the body that `hold` holds is in the island that starts at `b0`. */
 function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
   return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
+}
+
+/**
+ * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity changes, so
+ * nothing is thrown. After a jump it takes some steps.
+ */
+function makeRoom(simulation: Simulation): void {
+  const { bodies, contacts, pairs } = simulation
+  const { asleep, awake, awakeCount } = bodies
+  const { pair } = contacts
+  simulation.cramped--
+  for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
+    updatePairs(simulation, pairs)
+    const list: Int32Array = new Int32Array(contacts.count)
+    let count = 0
+    for (let c = 0; c < contacts.count; c++)
+      if (pair[2 * c + 1] > 0 && asleep[pair[2 * c]] + asleep[pair[2 * c + 1]] === 0) list[count++] = c
+    if (!straighten(simulation, list, count, awake, awakeCount)) {
+      simulation.cramped = 0
+      return
+    }
+  }
 }
 
 // Waking -----------------------------------------------------------------------------------------------------------------

@@ -3,14 +3,14 @@ import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import { beforeAll, describe, expect, it } from 'vitest'
 import { ours } from '../../bench/engines/ours'
-import { filmScene } from '../../bench/film'
+import { filmScene, median } from '../../bench/film'
 import { exactScenes } from '../../scenes/exact'
 import { type Kind, pourChips } from '../../scenes/piles'
 import { type Chip, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { fingerprint, pinned } from './pins'
 import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
-import { createWorld } from './world'
+import { createWorld, type World } from './world'
 
 /** What Node prints in a process of its own, where no other test has shaped the compiled code. */
 async function node(args: string[]) {
@@ -99,6 +99,63 @@ describe('a pile that is poured', () => {
     expect(Math.max(...again)).toBe(Math.max(...ids))
     expect(settle(world)).toBeLessThan(360)
     expect(overlap(world, again, chips)).toBeLessThan(0.05)
+  })
+})
+
+describe('a pile that has less room', () => {
+  const seeds = [1, 2, 3, 4, 5]
+  const sleeping = (seed: number) => {
+    const chips = pourChips('pills', 40, seed)
+    const { world, ids } = worldOf(chips)
+    expect(settle(world)).toBeLessThan(360)
+    return { world, ids, chips }
+  }
+  const fastest = (world: World, ids: number[]) =>
+    Math.max(...readAll(world, ids).map(({ vx, vy }) => Math.hypot(vx, vy)))
+
+  it('gives way to a wall that comes in at 240 px/s: chips go aside, not into each other', () => {
+    const peaks = seeds.map((seed) => {
+      const { world, ids, chips } = sleeping(seed)
+      let most = 0
+      for (let width = 636; width >= 440; width -= 4) {
+        world.resize(width, 340)
+        world.step(frame)
+        most = Math.max(most, overlap(world, ids, chips, { width, height: 340 }))
+        expect(fastest(world, ids), `seed ${seed}`).toBeLessThan(500)
+      }
+      return most
+    })
+    expect(median(peaks)).toBeLessThan(0.5)
+  })
+
+  it('is in order again five steps after the stage is turned from wide to tall', () => {
+    const left = seeds.map((seed) => {
+      const { world, ids, chips } = sleeping(seed)
+      world.resize(375, 500)
+      for (let n = 0; n < 5; n++) world.step(frame)
+      return overlap(world, ids, chips, { width: 375, height: 500 })
+    })
+    expect(median(left)).toBeLessThan(0.5)
+  })
+
+  it('as all chips have grown by a tenth, as when a web font comes late, is in order after five steps', () => {
+    const left = seeds.map((seed) => {
+      const { world, ids, chips } = sleeping(seed)
+      const grown = chips.map((chip) => ({ ...chip, width: 1.1 * chip.width }))
+      for (const [i, id] of ids.entries()) world.reshape(id, grown[i]!)
+      for (let n = 0; n < 5; n++) world.step(frame)
+      return overlap(world, ids, grown)
+    })
+    expect(median(left)).toBeLessThan(0.05)
+  })
+
+  it('wakes nobody far from a chip that grows', () => {
+    const row = [60, 300, 540].map((x) => ({ width: 60, height: 28, radius: 14, x, y: 326, angle: 0 }))
+    const { world, ids } = worldOf(row)
+    settle(world)
+    world.reshape(ids[0]!, { width: 80, height: 28, radius: 14 })
+    world.step(frame)
+    expect(readAll(world, ids).map(({ asleep }) => asleep)).toEqual([false, true, true])
   })
 })
 
