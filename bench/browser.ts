@@ -1,6 +1,6 @@
 // What the stage costs in a real browser, beside two others of the same chips: one of the method of the component's first
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
-//   npm run bench:browser                            writes bench/results/browser.json; about four minutes
+//   npm run bench:browser                            writes bench/results/browser.json; about six minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
 //   npm run bench:browser -- --out folder            writes there
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
@@ -13,6 +13,7 @@ import type {} from './browser/observe'
 import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
 import { serve, stageNames } from './browser/serve'
 import { categories, Trace } from './browser/trace'
+import { median } from './film'
 import { commit, machine } from './machine'
 import { root } from './run-job'
 
@@ -27,8 +28,11 @@ const drops = [
 ] as const
 /** s that a stage which never rests is watched after its last release. */
 const watched = 2
-/** s of the heap's samples. */
+/** s of the heap's samples, and of an empty frame loop. */
 const heapSeconds = 30
+const idleSeconds = 5
+/** Pages whose first drop is timed: the code is cold, so that a single one says little. */
+const firstDrops = 5
 const slow = 4
 
 await bringBrowser()
@@ -116,6 +120,22 @@ async function timeFirstDrop(browser: Browser, stage: StageName, throttle: numbe
     const trace = new Trace(await browser.stopTracing())
     return trace.work(trace.mark('seen') ?? Number.NaN, trace.mark('drawn') ?? Number.NaN)
   })
+}
+
+/** Script a frame of a page with an empty frame loop. */
+async function timeIdle(browser: Browser, throttle: number) {
+  const page = await browser.newPage()
+  try {
+    await page.goto(`${server.url}/idle`)
+    const session = await page.context().newCDPSession(page)
+    await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
+    await browser.startTracing(page, { categories })
+    await wait(idleSeconds)
+    return new Trace(await browser.stopTracing()).frames(0, Number.POSITIVE_INFINITY).script
+  } finally {
+    await browser.stopTracing().catch(() => {})
+    await page.close()
+  }
 }
 
 async function counter(session: CDPSession, name: string) {
@@ -251,6 +271,7 @@ async function measure(stages: StageName[]) {
       } as unknown as StageResult,
     ]),
   )
+  const idle: BrowserResults['idle'] = {}
   const browser = await launch()
   const each = async (name: string, work: (stage: StageName) => Promise<unknown>) => {
     for (const stage of stages) await attempt(`${stage}: ${name}`, () => work(stage))
@@ -262,9 +283,13 @@ async function measure(stages: StageName[]) {
     })
   }
   for (const throttle of [1, slow]) {
-    await each(`first drop, ${throttle}×`, async (stage) => {
-      results[stage].firstDrop[throttle] = await timeFirstDrop(browser, stage, throttle)
-    })
+    idle[throttle] = await attempt(`an empty frame loop, ${throttle}×`, () => timeIdle(browser, throttle))
+    const first = Object.fromEntries(stages.map((stage) => [stage, [] as number[]]))
+    for (let n = 1; n <= firstDrops; n++)
+      await each(`first drop ${n}, ${throttle}×`, async (stage) => {
+        first[stage].push(await timeFirstDrop(browser, stage, throttle))
+      })
+    for (const stage of stages) results[stage].firstDrop[throttle] = median(first[stage])
     await each(`interactions, ${throttle}×`, async (stage) => {
       results[stage].interaction[throttle] = await interact(browser, stage, throttle)
     })
@@ -278,14 +303,16 @@ async function measure(stages: StageName[]) {
       results[stage].heap = await attempt(`${stage}: heap`, () => weighHeap(stage))
     }),
   )
-  return { results, version }
+  return { results, idle, version }
 }
 
 const stages = options.stage ? stageNames.filter((stage) => stage === options.stage) : stageNames
-const { results, version } = await measure(stages)
+const { results, idle, version } = await measure(stages)
 server.close()
 
 const ms = (value: number) => value.toFixed(2).padStart(8)
+for (const [throttle, { median: half, p99, worst }] of Object.entries(idle))
+  console.log(`empty frame loop, ${throttle}×: script${ms(half)}${ms(p99)}${ms(worst)}`)
 for (const stage of stages) {
   const { drops: all, heap, ...rest } = results[stage]
   console.log(`\n${stage}`)
@@ -309,6 +336,7 @@ if (!options.stage) {
       'matter-js': JSON.parse(readFileSync(join(root, 'node_modules/matter-js/package.json'), 'utf8'))
         .version,
     },
+    idle,
     stages: results as BrowserResults['stages'],
   }
   const folder = options.out ?? join(root, 'bench/results')

@@ -32,7 +32,7 @@ export type StageResult = {
   /** Bytes of its script, minified and compressed, all but React and `cn`. */
   bytes: number
   drops: Drop[]
-  /** ms of script, style and layout between the view of 60 chips and their first frame, by throttle. */
+  /** ms of script, style and layout between the view of 60 chips and their first frame, the median of five pages, by throttle. */
   firstDrop: Record<string, number>
   /** Layouts from the server's markup to the first frame, 60 chips. */
   mountLayouts: number
@@ -60,5 +60,7 @@ export type BrowserResults = {
     browser: string
   }
   versions: Partial<Record<StageName, string>>
+  /** Script of a page whose frame loop does nothing, by throttle: what no stage can go below. */
+  idle: Record<string, FrameCost>
   stages: Record<StageName, StageResult>
 }

@@ -59,6 +59,8 @@ export async function serve() {
     }
     const [, name, file] = pathname.split('/')
     const stage = bundles[name]
+    if (name === 'idle')
+      return send('text/html', '<script>(function loop() { requestAnimationFrame(loop) })()</script>')
     if (name === 'page.css') return send('text/css', styles.css)
     if (!stage) return response.writeHead(name === 'favicon.ico' ? 200 : 404).end()
     if (file === 'client.js') return send('text/javascript', stage.script)
