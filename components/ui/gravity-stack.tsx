@@ -4292,8 +4292,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync()
   }
 
-  function click(event: MouseEvent) {
-    if (swallowClick && event.detail) {
+  function click(event: PointerEvent) {
+    // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
+    if (swallowClick && (event.pointerType ?? event.detail)) {
       swallowClick = false
       event.preventDefault()
       event.stopPropagation()

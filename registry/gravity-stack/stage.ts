@@ -691,8 +691,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     sync()
   }
 
-  function click(event: MouseEvent) {
-    if (swallowClick && event.detail) {
+  function click(event: PointerEvent) {
+    // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
+    if (swallowClick && (event.pointerType ?? event.detail)) {
       swallowClick = false
       event.preventDefault()
       event.stopPropagation()
