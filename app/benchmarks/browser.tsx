@@ -2,7 +2,8 @@ import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { ReactNode } from 'react'
 import type { BrowserResults, Drop, FrameCost, StageName, StageResult } from '@/bench/browser/results'
-import { figure, looks } from './engines'
+import { figure } from '@/lib/figure'
+import { looks } from './engines'
 import { Table } from './table'
 
 const file = join(process.cwd(), 'bench/results/browser.json')

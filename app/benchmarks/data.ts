@@ -1,6 +1,7 @@
 import { frontier, isTie, points, type Results, type Verdict } from '@/bench/report'
 import data from '@/bench/results/results.json'
-import { engineOrder, figure, looks, settingTitle } from './engines'
+import { figure } from '@/lib/figure'
+import { engineOrder, looks, settingTitle } from './engines'
 import type { FigureRow } from './plot-table'
 
 /** What `npm run bench` has measured. Large: not for the browser. */

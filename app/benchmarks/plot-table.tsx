@@ -1,7 +1,8 @@
 'use client'
 
 import { useState } from 'react'
-import { engineOrder, figure } from './engines'
+import { figure } from '@/lib/figure'
+import { engineOrder } from './engines'
 import { EngineName } from './plot'
 import { Table } from './table'
 

@@ -1,6 +1,7 @@
 import { scaleLog } from 'd3-scale'
 import { useId } from 'react'
-import { engineOrder, figure, looks } from './engines'
+import { figure } from '@/lib/figure'
+import { engineOrder, looks } from './engines'
 
 type PlotPoint = { x: number; y: number }
 export type PlotLine = { engine: string; points: PlotPoint[] }

@@ -5,6 +5,7 @@ import { flight } from '@/scenes/references'
 import { chipColours, drawChip, drawText } from './draw'
 import { Figure, Slider, Value } from './figure'
 import { record } from './record'
+import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 const gravity = 2600
@@ -76,7 +77,7 @@ export function FlightFigure() {
       readout={(at) => (
         <>
           <Value of="Off the exact curve: this solver">
-            {apart(ours()[at][0], exactAt(at)).toExponential(0)} px
+            {shortFigure(apart(ours()[at][0], exactAt(at)), 'px')}
           </Value>
           <Value of="Euler">{apart(euler()[at], exactAt(at)).toFixed(2)} px</Value>
         </>

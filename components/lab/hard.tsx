@@ -56,7 +56,8 @@ export function HardScenesFigure() {
           return (
             <span key={key}>
               {measure} <strong className="font-medium text-foreground">{shortFigure(value, unit)}</strong>,
-              bound {shortFigure(bound)}
+              bound{'\u00a0'}
+              {shortFigure(bound)}
               {!(value <= bound) && <strong className="ml-2 font-medium text-foreground">missed</strong>}
             </span>
           )

@@ -49,7 +49,7 @@ export function ScenesFigure() {
             <strong className="font-medium text-foreground">
               {shortFigure(measured()[i], measure.unit)}
             </strong>
-            {measure.target !== undefined && `, target ${shortFigure(measure.target)}`}
+            {measure.target !== undefined && `, target\u00a0${shortFigure(measure.target)}`}
           </span>
         ))
       }
