@@ -3,7 +3,7 @@ import { figure } from '@/lib/figure'
 /** How each engine looks in every plot: a colour for the eye, a shape for those who see colours otherwise. */
 type Look = {
   title: string
-  shape: 'circle' | 'square' | 'triangle' | 'diamond' | 'cross'
+  shape: 'circle' | 'square' | 'triangle' | 'diamond' | 'cross' | 'plus'
   hollow?: boolean
 }
 
@@ -17,7 +17,7 @@ export const looks: Record<string, Look> = {
   planck: { title: 'Planck', shape: 'diamond', hollow: true },
   'matter-js': { title: 'Matter', shape: 'circle', hollow: true },
   'p2-es': { title: 'p2-es', shape: 'cross' },
-  'circle-chains': { title: 'Circle chains', shape: 'cross', hollow: true },
+  'circle-chains': { title: 'Circle chains', shape: 'plus' },
 }
 
 export const engineOrder = Object.keys(looks)

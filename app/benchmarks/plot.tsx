@@ -20,6 +20,7 @@ const shapes = {
   triangle: 'm0-4.2 3.9 7h-7.8z',
   diamond: 'm0-4.4 3.8 4.4-3.8 4.4-3.8-4.4z',
   cross: 'm-3-3 6 6m-6 0 6-6',
+  plus: 'm-4 0h8m-4-4v8',
 }
 
 /** An engine's mark, at the origin. */
@@ -28,10 +29,9 @@ export function Mark({ engine }: { engine: string }) {
   return (
     <path
       d={`M0 0${shapes[shape]}`}
-      fill={shape === 'cross' ? 'none' : hollow ? 'var(--color-panel)' : `var(--${engine})`}
+      fill={hollow ? 'var(--color-panel)' : `var(--${engine})`}
       stroke={`var(--${engine})`}
       strokeWidth={engine === 'gravity-stack' ? 2.5 : 1.5}
-      strokeOpacity={shape === 'cross' && hollow ? 0.7 : undefined}
     />
   )
 }
