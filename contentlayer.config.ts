@@ -4,6 +4,7 @@ import rehypePrettyCode from 'rehype-pretty-code'
 import rehypeSlug from 'rehype-slug'
 import remarkGfm from 'remark-gfm'
 import { codeTheme } from './lib/code-theme'
+import { rehypeTypeset, typeset } from './lib/typeset'
 
 export const Doc = defineDocumentType(() => ({
   name: 'Doc',
@@ -27,7 +28,7 @@ function headings(markdown: string) {
   const prose = markdown.replace(/^```[\s\S]*?^```/gm, '')
   return [...prose.matchAll(/^(#{2,4}) (.+)$/gm)].map(([, marks, words]) => {
     const text = words.replace(/[`*]/g, '').trim()
-    return { depth: marks.length, text, id: slugger.slug(text) }
+    return { depth: marks.length, text: typeset(text), id: slugger.slug(text) }
   })
 }
 
@@ -39,6 +40,10 @@ export default makeSource({
   onUnknownDocuments: 'fail',
   mdx: {
     remarkPlugins: [remarkGfm],
-    rehypePlugins: [rehypeSlug, [rehypePrettyCode, { theme: codeTheme, keepBackground: false }]],
+    rehypePlugins: [
+      rehypeSlug,
+      rehypeTypeset,
+      [rehypePrettyCode, { theme: codeTheme, keepBackground: false }],
+    ],
   },
 })

@@ -2,6 +2,7 @@ import type { Metadata } from 'next'
 import { DocsLayout } from '@/components/docs-layout'
 import { PageTools } from '@/components/page-tools'
 import { navigation } from '@/lib/docs'
+import { typeset } from '@/lib/typeset'
 
 export const metadata: Metadata = {
   title: 'Docs',
@@ -27,7 +28,9 @@ export default function Docs() {
                 <li key={page.href}>
                   <a href={page.href} className="block px-5 py-4 transition-colors hover:bg-muted">
                     <span className="font-medium">{page.title}</span>
-                    <span className="mt-1 block text-muted-foreground text-sm">{page.description}</span>
+                    <span className="mt-1 block text-muted-foreground text-sm">
+                      {typeset(page.description)}
+                    </span>
                   </a>
                 </li>
               ))}

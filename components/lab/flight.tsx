@@ -50,7 +50,7 @@ export function FlightFigure() {
 
   return (
     <Figure
-      label="A chip flies in an arc. The solver's chip stays on the exact curve; Euler's chip drifts below it."
+      label="A chip flies in an arc. The solver’s chip stays on the exact curve; Euler’s chip drifts below it."
       width={640}
       height={360}
       frames={frames}
@@ -83,7 +83,7 @@ export function FlightFigure() {
         </>
       )}
     >
-      <Slider label="Euler's steps a second" value={rate} min={60} max={960} step={60} onChange={setRate} />
+      <Slider label="Euler’s steps a second" value={rate} min={60} max={960} step={60} onChange={setRate} />
     </Figure>
   )
 }

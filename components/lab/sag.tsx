@@ -30,7 +30,7 @@ export function SagFigure() {
 
   return (
     <Figure
-      label="Two equal columns of chips. The one on soft contacts sinks into itself, the solver's stays as high as it was built."
+      label="Two equal columns of chips. The one on soft contacts sinks into itself, the solver’s stays as high as it was built."
       {...stage}
       frames={frames}
       draw={(context, at, palette) => {

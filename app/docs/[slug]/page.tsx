@@ -6,6 +6,7 @@ import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { docs, findDoc, type Heading } from '@/lib/docs'
+import { typeset } from '@/lib/typeset'
 
 export const dynamicParams = false
 export const generateStaticParams = () => docs.map(({ slug }) => ({ slug }))
@@ -35,7 +36,9 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
       <div className="grid grid-cols-[minmax(0,1fr)] gap-14 xl:grid-cols-[minmax(0,46rem)_12rem] xl:justify-between">
         <main id="content" className="min-w-0 max-w-[46rem] pt-10 pb-20 max-xl:mx-auto max-xl:w-full">
           <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">{doc.title}</h1>
-          <p className="mt-3 text-pretty text-lg text-muted-foreground leading-relaxed">{doc.description}</p>
+          <p className="mt-3 text-pretty text-lg text-muted-foreground leading-relaxed">
+            {typeset(doc.description)}
+          </p>
           <PageTools
             className="mt-4"
             twin={`/docs/${doc.slug}.md`}
