@@ -10,9 +10,12 @@ export type Bytes = { name: string; minified: number; gzip: number }
 const box2d = (flavour: string) =>
   join(root, `node_modules/box2d3-wasm/build/dist/es/${flavour}/Box2D.${flavour}`)
 
+/** The component with Motion's part, as its row in the table of all engines. */
+const component = `export * from './components/ui/gravity-stack'`
+
 const imports: { name: string; code: string; wasm?: string }[] = [
   { name: 'gravity-stack', code: `export { createWorld } from './registry/gravity-stack/world'` },
-  { name: 'gravity-stack, component and all', code: `export * from './components/ui/gravity-stack'` },
+  { name: 'gravity-stack, component and all', code: component },
   { name: 'circle-chains', code: `export { circleChains } from './bench/engines/circle-chains'` },
   { name: 'matter-js', code: `import Matter from 'matter-js'; export default Matter` },
   { name: 'planck', code: `export { World, Box, Circle, Settings, Vec2 } from 'planck'` },
@@ -58,11 +61,16 @@ const imports: { name: string; code: string; wasm?: string }[] = [
 /** React and `cn` are on the page already; Node's own modules are only reached for outside a browser. */
 const elsewhere = /^(react|react-dom|cn|module|fs|path|url|worker_threads)$|^(react\/|node:)/
 
+const bundle = (code: string) => script(code, root, 'esm', { platform: 'browser', external: elsewhere })
+
+/** What the component weighs as it is now, minified and gzipped. */
+export const componentBytes = async () => gzipSync(await bundle(component), { level: 9 }).length
+
 export async function engineBytes(): Promise<Bytes[]> {
   const rows: Bytes[] = []
   for (const { name, code, wasm } of imports) {
-    const built = await script(code, root, 'esm', { platform: 'browser', external: elsewhere }).catch(
-      (error: Error) => console.error(`${name} is not weighed: ${error.message}`),
+    const built = await bundle(code).catch((error: Error) =>
+      console.error(`${name} is not weighed: ${error.message}`),
     )
     if (!built) continue
     const minified = Buffer.from(built)
