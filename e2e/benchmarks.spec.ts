@@ -114,6 +114,23 @@ test.describe('benchmarks', () => {
     await expect(marks('gravity-stack')).toHaveCSS('opacity', '1')
   })
 
+  test('ours can be picked out alone, and no two engines share a mark', async ({ page }) => {
+    await page.goto('/benchmarks')
+    const legend = page.getByRole('group', { name: 'Show one engine beside ours' })
+    await legend.getByText('Gravity Stack').click()
+    const marks = (engine: string) => page.locator(`figure svg [data-engine=${engine}]`).first()
+    await expect(marks('gravity-stack')).toHaveCSS('opacity', '1')
+    await expect(marks('rapier')).toHaveCSS('opacity', '0.12')
+    // Without their colours: outline, and whether it is filled.
+    const shapes = await legend
+      .locator('svg path')
+      .evaluateAll((all) =>
+        all.map((mark) => mark.getAttribute('d')! + /panel/.test(mark.getAttribute('fill')!)),
+      )
+    expect(shapes.length).toBe(10)
+    expect(new Set(shapes).size).toBe(shapes.length)
+  })
+
   test('what a browser takes is in a table with its date', async ({ page, request }) => {
     const file = 'bench/results/browser.json'
     await page.goto('/benchmarks')
