@@ -54,7 +54,7 @@ const components: Record<string, unknown> = {
       {...props}
       className={
         typeof children === 'string' && /^(\S{1,28}|.{1,12})$/.test(children)
-          ? 'whitespace-nowrap max-sm:in-[td]:whitespace-normal'
+          ? `whitespace-nowrap ${children.length > 16 ? 'max-sm:in-[td]:whitespace-normal' : ''}`
           : undefined
       }
     >
@@ -62,7 +62,10 @@ const components: Record<string, unknown> = {
     </code>
   ),
   table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
-  // On a phone the two cells of a row stand one below the other.
+  // On a phone the two cells of a row stand one below the other, and their heads would say nothing there.
+  thead: (props: ComponentProps<'thead'>) => (
+    <thead className="max-sm:not-has-[>tr>:nth-child(3)]:sr-only" {...props} />
+  ),
   tr: (props: ComponentProps<'tr'>) => (
     <tr
       className="in-[tbody]:last:border-0 border-b max-sm:not-has-[>:nth-child(3)]:wrap-anywhere max-sm:not-has-[>:nth-child(3)]:flex max-sm:not-has-[>:nth-child(3)]:flex-col max-sm:not-has-[>:nth-child(3)]:py-1"
@@ -73,7 +76,10 @@ const components: Record<string, unknown> = {
     <th scope="col" className="px-2.5 py-1 font-medium text-muted-foreground sm:px-4 sm:py-2.5" {...props} />
   ),
   td: (props: ComponentProps<'td'>) => (
-    <td className="px-2.5 py-1 align-baseline sm:min-w-28 sm:px-4 sm:py-2.5 sm:first:min-w-0" {...props} />
+    <td
+      className="px-2.5 py-1 align-baseline max-sm:first:nth-last-2:font-medium sm:min-w-28 sm:px-4 sm:py-2.5 sm:first:min-w-0"
+      {...props}
+    />
   ),
   ActionsTable,
   Changelog: () => <Changelog components={components as never} />,

@@ -7,7 +7,7 @@ export function PageEnd({ path }: { path: string }) {
     <nav
       data-print="hide"
       aria-label="Previous and next"
-      className="mt-20 flex justify-between gap-4 border-t pt-6"
+      className="mt-20 flex flex-wrap justify-between gap-4 border-t pt-6"
     >
       {previous ? <Neighbour word="Previous" {...previous} /> : <span />}
       {next && <Neighbour word="Next" {...next} className="text-right" />}

@@ -32,7 +32,7 @@ import { LiveCode } from './live-code'
 
 const speeds = [
   { value: 1, label: '1×' },
-  { value: 0.25, label: '¼×' },
+  { value: 0.25, label: '1/4×' },
   { value: 0.05, label: '1/20×' },
 ]
 
@@ -318,7 +318,7 @@ export function Playground() {
           >
             Step
           </button>
-          <fieldset className="ml-auto flex items-center gap-2">
+          <fieldset className="ml-auto flex flex-wrap items-center gap-2">
             <legend className="sr-only">Speed</legend>
             {speeds.map(({ value, label }) => (
               <button
@@ -382,8 +382,8 @@ export function Playground() {
             pairs: work.pairs,
             contacts: work.contacts,
             islands: work.islands,
-            substeps: work.substeps,
-            'µs a step': Math.round(work.micros),
+            'sub-steps': work.substeps,
+            'µs a step': Math.round(work.micros).toLocaleString('en'),
           }).map(([name, value]) => (
             <div key={name} className="flex gap-2">
               <dt>{name}</dt>
@@ -487,14 +487,16 @@ function Range({
   onChange: (next: Partial<Settings>) => void
 }) {
   const [min, max, step] = ranges[of]
+  const said = unit ? `${value}\u00a0${unit}` : String(value)
   return (
     <Field
       label={
         <>
           {/* Props have their name as it is in the code. */}
           <span className={label === of ? 'font-mono text-[0.8125rem]' : undefined}>{label}</span>
-          <span className="text-muted-foreground tabular-nums">
-            {value} {unit}
+          {/* A screen reader hears it as the slider's value. */}
+          <span aria-hidden="true" className="text-muted-foreground tabular-nums">
+            {said}
           </span>
         </>
       }
@@ -507,6 +509,7 @@ function Range({
           max={max}
           step={step}
           value={value}
+          aria-valuetext={said}
           onChange={(event) => onChange({ [of]: Number(event.target.value) })}
           className="w-full accent-foreground"
         />

@@ -34,9 +34,9 @@ export function SiteHeader() {
         Skip to content
       </a>
       <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
-        <a href="/" className="mr-4 flex items-center gap-2.5 whitespace-nowrap font-semibold tracking-tight">
-          <Mark className="size-6" />
-          Gravity Stack
+        <a href="/" className="mr-4 flex min-w-0 items-center gap-2.5 font-semibold tracking-tight">
+          <Mark className="size-6 shrink-0" />
+          <span className="truncate">Gravity Stack</span>
         </a>
         <nav aria-label="Main" className="hidden gap-1 md:flex">
           {links.map((link) => (

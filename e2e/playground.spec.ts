@@ -48,7 +48,7 @@ test('the overlay tints islands while they move, greys what sleeps, and draws co
 test('the numbers say what the solver did in the last step', async ({ page }) => {
   await page.goto('/playground?count=12&shape=boxes')
   const number = (name: string) => page.locator('dt', { hasText: new RegExp(`^${name}$`) }).locator('+ dd')
-  for (const name of ['awake chips', 'pairs', 'contacts', 'substeps', 'µs a step'])
+  for (const name of ['awake chips', 'pairs', 'contacts', 'sub-steps', 'µs a step'])
     await expect(number(name)).not.toHaveText('0')
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   await expect(number('awake chips')).toHaveText('0')

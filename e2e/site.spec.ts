@@ -286,7 +286,7 @@ test.describe('in forced colours', () => {
     ['/docs/gravity-stack', 'way to install', tab('CLI'), tab('Manual')],
     ['/docs/setup', 'page of the docs', link('Docs', 'Setup'), link('Docs', 'Caveats')],
     ['/playground', 'page in the header', link('Main', 'Playground'), link('Main', 'Benchmarks')],
-    ['/playground', 'speed', button('Speed 1×'), button('Speed ¼×')],
+    ['/playground', 'speed', button('Speed 1×'), button('Speed 1/4×')],
     ['/benchmarks', 'engine', option('All'), option('Planck')],
     ['/docs/how-it-works', 'number of sub-steps', option('6'), option('1')],
   ]

@@ -18,7 +18,7 @@ export function Figure({
   frames,
   draw,
   readout,
-  readoutHeight = 'min-h-23 sm:min-h-11 md:min-h-5',
+  readoutHeight = 'min-h-17 sm:min-h-11 md:min-h-5',
   children,
   speed = 1,
 }: {
@@ -145,7 +145,7 @@ export function Figure({
         className="block w-full border-b bg-stage"
       />
       <div className="space-y-4 p-4 text-sm">
-        <div data-print="hide" className="flex items-center gap-3">
+        <div data-print="hide" className="flex flex-wrap items-center gap-3">
           <button
             type="button"
             onClick={() => {
@@ -211,13 +211,13 @@ export function Slider({
   onChange: (value: number) => void
 }) {
   const id = useId()
+  const said = unit ? `${value}\u00a0${unit}` : String(value)
   return (
-    <div className="min-w-40 flex-1">
+    <div className="min-w-[min(10rem,100%)] flex-1">
       <div className="flex justify-between gap-4">
         <label htmlFor={id}>{label}</label>
-        <span className="text-muted-foreground tabular-nums">
-          {value}
-          {unit && ` ${unit}`}
+        <span aria-hidden="true" className="text-muted-foreground tabular-nums">
+          {said}
         </span>
       </div>
       <input
@@ -227,6 +227,7 @@ export function Slider({
         max={max}
         step={step}
         value={value}
+        aria-valuetext={said}
         onChange={(event) => onChange(Number(event.target.value))}
         className="mt-1 w-full accent-foreground"
       />

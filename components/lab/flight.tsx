@@ -74,6 +74,7 @@ export function FlightFigure() {
           drawText(context, 'Euler', euler()[at].x - 34, euler()[at].y + 8, palette.muted, 'right')
         }
       }}
+      readoutHeight="min-h-17 min-[22.5rem]:min-h-11 sm:min-h-5"
       readout={(at) => (
         <>
           <Value of="Off the exact curve: this solver">

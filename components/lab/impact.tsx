@@ -52,6 +52,7 @@ export function ImpactFigure() {
         drawChip(context, struckShape, struck, { fill: chipColours[3], mark: true })
         drawChip(context, strikerShape, striker, { fill: chipColours[0], mark: true })
       }}
+      readoutHeight="min-h-23 min-[22.5rem]:min-h-11 md:min-h-5"
       readout={(at) => {
         const [struck] = film().frames[at]
         const hit = Math.abs(struck.vy) > 0

@@ -52,6 +52,7 @@ export function IslandsFigure() {
         drawLine(context, [x(at), stage.height], [x(at), floor], palette.foreground)
         drawText(context, 'chips awake', stage.width - 8, stage.height + 18, palette.muted, 'right')
       }}
+      readoutHeight="min-h-11 sm:min-h-5"
       readout={(at) => {
         const states = film().frames[at]
         const islands = islandsOf(film().chips, states).filter((_, i) => !states[i].asleep)

@@ -58,6 +58,7 @@ export function SagFigure() {
         drawText(context, 'soft contacts', 180, top - 10, palette.muted, 'center')
         drawText(context, 'this solver', 460, top - 10, palette.muted, 'center')
       }}
+      readoutHeight="min-h-11 sm:min-h-5"
       readout={(at) => (
         <>
           <Value of="Sunk by: soft">{soft()[at][count - 1].toFixed(2)} px</Value>
