@@ -2,6 +2,7 @@ import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { results, verdictHead, verdictWords } from '@/app/benchmarks/data'
 import { verdicts } from '@/bench/report'
+import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
 import { heroEffects, heroSnippets } from './hero-snippets'
@@ -18,6 +19,17 @@ function table(head: string[], rows: string[][]) {
   const line = (cells: string[]) => `| ${cells.map((cell) => cell.replaceAll('|', '\\|')).join(' | ')} |`
   return [line(head), line(head.map(() => '---')), ...rows.map(line)].join('\n')
 }
+
+const scenesTable = (bound: string, scenes: ReturnType<typeof hardRows>) =>
+  table(
+    ['Scene', 'Measure', 'Figure', bound],
+    scenes.flatMap(({ title, rows }) =>
+      rows.map((row) => {
+        const cells = cellsOf(row)
+        return [title, row.measure, cells.figure, cells.missed ? `${cells.bound}, missed` : cells.bound]
+      }),
+    ),
+  )
 
 const add = (name: string) => fence('bash', `npx shadcn@latest add ${siteUrl}/r/${name}.json`)
 
@@ -37,9 +49,13 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ElevationLadder: () => '',
   Install: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
-  FuzzTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
-  HardScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
-  ScenesTable: () => `The table of figures is on the page: ${siteUrl}/docs/stability`,
+  FuzzTable: () =>
+    table(
+      fuzzHead,
+      fuzzRows().map((row) => row.map(String)),
+    ),
+  HardScenesTable: () => scenesTable('Bound', hardRows()),
+  ScenesTable: () => scenesTable('Target', knownRows()),
   PropsTable: () =>
     table(
       ['Prop', 'Type', 'Default', 'What it does'],
@@ -115,7 +131,7 @@ const playground = () =>
   page(
     'Playground',
     'Turn the props, watch the contacts, take the code.',
-    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out stays as it is. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out.`,
+    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out is at its default. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out.`,
     table(
       ['In the address', 'Values', 'Default'],
       Object.entries(defaults).map(([name, value]) => {

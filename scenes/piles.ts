@@ -137,6 +137,9 @@ export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
 
 const pourTitles = { pills: 'pills', badges: 'rounded boxes', mixed: 'chips of every shape' }
 
+/** The measure that tells a run of one seed nothing: it is then the time to rest. */
+export const slowest = 'slowest to rest'
+
 type PourTargets = { rest: number; during: number; time?: number; slowest?: number }
 
 function pour(kind: Kind, count: number, seconds: number, seeds: number, targets: PourTargets): Scene {
@@ -152,7 +155,7 @@ function pour(kind: Kind, count: number, seconds: number, seeds: number, targets
       { name: 'overlap at rest', unit: 'px', target: targets.rest, over: 'worst' },
       { name: 'overlap during', unit: 'px', target: targets.during, over: 'median' },
       { name: 'time to rest', unit: 's', target: targets.time, over: 'median', ranked: false },
-      { name: 'slowest to rest', unit: 's', target: targets.slowest, over: 'worst', ranked: false },
+      { name: slowest, unit: 's', target: targets.slowest, over: 'worst', ranked: false },
       ...(count === 60 ? [{ name: 'contact residual', unit: 'weights', over: 'median' as const }] : []),
     ],
     measure(film: Film) {

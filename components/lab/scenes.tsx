@@ -2,6 +2,7 @@
 
 import { useState } from 'react'
 import { scenes } from '@/scenes'
+import { slowest } from '@/scenes/piles'
 import type { Scene } from '@/scenes/scene'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
@@ -43,15 +44,15 @@ export function ScenesFigure() {
       }}
       readoutHeight="min-h-29 sm:min-h-17 lg:min-h-11"
       readout={() =>
-        scene.measures.map((measure, i) => (
-          <span key={measure.name}>
-            {measure.name}{' '}
-            <strong className="font-medium text-foreground">
-              {shortFigure(measured()[i], measure.unit)}
-            </strong>
-            {measure.target !== undefined && `, target\u00a0${shortFigure(measure.target)}`}
-          </span>
-        ))
+        scene.measures.map(({ name, unit, target }, i) =>
+          name === slowest ? null : (
+            <span key={name}>
+              {name}{' '}
+              <strong className="font-medium text-foreground">{shortFigure(measured()[i], unit)}</strong>
+              {target !== undefined && `, target\u00a0${shortFigure(target)}`}
+            </span>
+          ),
+        )
       }
     >
       <ScenePicker scenes={shown} scene={scene} seed={seed} onPick={pick} />
