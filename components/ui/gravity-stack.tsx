@@ -4406,7 +4406,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips anew, even if they were paused; does nothing before the stage has first come into view. */
+  /** Drops all chips again, even when paused; does nothing before the stage has first come into view. */
   drop: () => void
   /** Throws the pile into the air. */
   shake: () => void
@@ -4431,12 +4431,12 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   gravity?: number
   /**
-   * Restitution: the share of its speed that a chip keeps when it bounces, 0 to 1.
+   * Restitution: the share of its speed that a chip keeps when it bounces.
    * @default 0.18
    */
   bounce?: number
   /**
-   * Milliseconds between releases, on average: each comes up to 120 ms late.
+   * Average time between releases, in ms; each may come up to 120 ms late.
    * @default 150
    */
   stagger?: number
@@ -4445,14 +4445,14 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   interactive?: boolean
-  /** Forwarded to the stage; sets its height, 20rem without. */
+  /** Classes of the stage; they set its height, 20rem by default. */
   className?: string
   /**
    * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
   friction?: number
-  /** Called each time the last moving chip has come to rest; never while reduced motion is asked for, as nothing moves. */
+  /** Called each time the last moving chip comes to rest; never with reduced motion, where nothing moves. */
   onSettle?: () => void
   /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
   actionsRef?: React.Ref<GravityStackActions>
