@@ -43,7 +43,7 @@ export default makeSource({
     rehypePlugins: [
       rehypeSlug,
       rehypeTypeset,
-      [rehypePrettyCode, { theme: codeTheme, keepBackground: false }],
+      [rehypePrettyCode, { theme: codeTheme, keepBackground: false, grid: false }],
     ],
   },
 })

@@ -15,7 +15,7 @@ export async function Changelog({ components }: { components: Record<string, Com
     rehypePlugins: [
       rehypeSlug,
       rehypeTypeset,
-      [rehypePrettyCode, { theme: codeTheme, keepBackground: false }],
+      [rehypePrettyCode, { theme: codeTheme, keepBackground: false, grid: false }],
     ],
   })
   return (

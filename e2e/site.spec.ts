@@ -241,6 +241,34 @@ for (const [width, height] of [
   })
 }
 
+test('with text twice as large, a phone keeps the buttons of the header and of a command in reach', async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 320, height: 700 })
+  for (const path of ['/', '/docs/setup', '/playground']) {
+    await page.goto(path)
+    await page.addStyleTag({ content: 'html { font-size: 200% !important }' })
+    const buttons = page
+      .getByRole('banner')
+      .getByRole('button')
+      .or(page.getByRole('button', { name: 'Copy' }))
+    expect(await buttons.count()).toBeGreaterThan(1)
+    for (const button of await buttons.all()) {
+      const { x, width } = (await button.boundingBox())!
+      expect(x + width).toBeLessThanOrEqual(320)
+    }
+  }
+})
+
+test('a slider says its value once, with its unit', async ({ page }) => {
+  await page.goto('/playground')
+  const slider = (name: string) => page.getByRole('slider', { name, exact: true })
+  await expect(slider('gravity')).toHaveAttribute('aria-valuetext', /^2600\spx\/s²$/)
+  await expect(slider('bounce')).toHaveAttribute('aria-valuetext', '0.18')
+  await page.goto('/docs/how-it-works')
+  await expect(slider('Distance from the centre')).toHaveAttribute('aria-valuetext', /^70\spx$/)
+})
+
 test('the name in the header stays on one line, and the links beside it have room', async ({ page }) => {
   await page.goto('/docs/setup')
   for (const width of [320, 640, 767, 768, 1024]) {
@@ -250,6 +278,8 @@ test('the name in the header stays on one line, and the links beside it have roo
       all.map((link) => link.getBoundingClientRect()),
     ))
       expect(height, `${width} px`).toBeLessThan(40)
+    const name = page.locator('header a[href="/"] span')
+    expect(await name.evaluate((words) => words.scrollWidth - words.clientWidth), `${width} px`).toBe(0)
     expect(await overflow(page), `${width} px`).toBe(0)
   }
 })
@@ -461,6 +491,13 @@ test.describe('with a clipboard', () => {
     await page.getByRole('button', { name: 'Copy code' }).click()
     await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
     expect(await clipboard(page)).toContain('bounce={0.7}')
+  })
+
+  test('copies a sample as it is written, its empty lines empty', async ({ page }) => {
+    await page.goto('/docs/gravity-stack')
+    await page.locator('figure.code').first().getByRole('button', { name: 'Copy code' }).click()
+    await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
+    expect(await clipboard(page)).toContain("'@/components/ui/gravity-stack'\n\nexport function Topics() {\n")
   })
 
   test('copies a page as Markdown', async ({ page }) => {
