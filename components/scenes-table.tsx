@@ -1,5 +1,6 @@
 import fuzzMisses from '@/bench/fuzz-misses.json'
 import measured from '@/bench/results/stability.json'
+import { typeset } from '@/lib/typeset'
 import { scenes } from '@/scenes'
 import { checks } from '@/scenes/fuzzed'
 import { type HardFigures, hardScenes } from '@/scenes/hard'
@@ -36,7 +37,7 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
         <tbody key={title} className="border-b last:border-0">
           <tr>
             <th scope="rowgroup" colSpan={3} className="px-3 pt-3 sm:px-4 pb-1 font-medium">
-              {title}
+              {typeset(title)}
             </th>
           </tr>
           {folded(rows).map((row) => {

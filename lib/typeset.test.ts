@@ -4,6 +4,7 @@ import { rehypeTypeset, typeset } from './typeset'
 test('apostrophes are curly, and a number keeps its unit on its line', () => {
   expect(typeset("it can't rest at 3 px/s after 0.5 s")).toBe('it can’t rest at 3\u00a0px/s after 0.5\u00a0s')
   expect(typeset('at 400 % zoom, 2 stages')).toBe('at 400\u00a0% zoom, 2 stages')
+  expect(typeset('at e = 1')).toBe('at e\u00a0=\u00a01')
 })
 
 test('code stays as it was written', () => {

@@ -1,6 +1,9 @@
-/** Words as a typesetter would set them: a curly apostrophe, and no line that ends between a number and its unit. */
+/** Words as a typesetter would set them: a curly apostrophe, and no line that ends in a quantity: before its unit, or round its equals sign. */
 export const typeset = (words: string) =>
-  words.replace(/(?<=\w)'/g, '’').replace(/(?<=\d) (?=(?:px|rad|Hz|kB|MB|KB|ms|µs|s|%)(?![\w-]))/g, '\u00a0')
+  words
+    .replace(/(?<=\w)'/g, '’')
+    .replace(/(?<=\d) (?=(?:px|rad|Hz|kB|MB|KB|ms|µs|s|%)(?![\w-]))/g, '\u00a0')
+    .replace(/ = /g, '\u00a0=\u00a0')
 
 type Node = { type: string; tagName?: string; value?: string; children?: Node[] }
 

@@ -27,7 +27,7 @@ export function settingTitle(setting: Record<string, number>) {
   const words = Object.entries(setting).map(([knob, value]) => {
     if (knob === 'hertz') return value >= 1e4 ? 'stiffest contacts' : `${value} Hz contacts`
     if (knob === 'trueInertia') return 'true inertia'
-    if (knob === 'stiffness') return `stiffness ${figure(value)}`
+    if (knob === 'stiffness') return `stiffness\u00a0${figure(value)}`
     if (knob === 'velocity') return `${value} velocity passes`
     if (knob === 'position') return `${value} position passes`
     const word = knob === 'substeps' ? 'sub-steps' : knob

@@ -8,6 +8,7 @@ import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import type { Heading as HeadingOf } from '@/lib/docs'
 import { figure } from '@/lib/figure'
+import { typeset } from '@/lib/typeset'
 import { InBrowser } from './browser'
 import { defaultCosts, plotName, plotTitle, results, sizes, verdictHead, verdictWords } from './data'
 import { Drawn } from './drawn'
@@ -442,7 +443,7 @@ function verdictRow(verdict: Verdict): ReactNode[] {
   const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
   return [
     <span key="scene">
-      {scene.title}
+      {typeset(scene.title)}
       <span className="font-normal text-muted-foreground">
         {scene.measures.length > 1 ? `: ${scene.measures[measure].name}` : ''}
       </span>

@@ -61,6 +61,7 @@ export function RunOnDevice() {
       <div className="flex flex-wrap items-center gap-4">
         <button
           type="button"
+          data-print="hide"
           onClick={state === 'running' ? cancel : start}
           className="rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
         >
