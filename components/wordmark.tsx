@@ -1,18 +1,10 @@
-/** Three chips in a pile. */
+/** Three chips in a pile, as in `app/icon.svg`. */
 export function Mark({ className }: { className?: string }) {
   return (
     <svg aria-hidden="true" viewBox="0 0 24 24" className={className}>
-      <rect x="1.5" y="16" width="12" height="6" rx="3" fill="oklch(0.7 0.19 35)" />
-      <rect x="15" y="16" width="7.5" height="6" rx="3" fill="oklch(0.68 0.15 250)" />
-      <rect
-        x="8.2"
-        y="6.6"
-        width="12.5"
-        height="6"
-        rx="3"
-        fill="oklch(0.83 0.17 90)"
-        transform="rotate(24 14.5 9.6)"
-      />
+      <rect x="1" y="14.5" width="13" height="7" rx="3.5" fill="#f8694b" />
+      <rect x="15" y="14.5" width="8" height="7" rx="3.5" fill="#4a9df0" />
+      <rect x="7.5" y="4.4" width="14" height="7" rx="3.5" fill="#f0bf2b" transform="rotate(24 14.5 7.9)" />
     </svg>
   )
 }
