@@ -1293,10 +1293,6 @@ class Contacts {
   last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
-  /** Pairs measured since the count was last set to 0. */
-  measured = 0
-  /** Rows visited by sweeps. */
-  rows = 0
 }
 
 /** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
@@ -1321,7 +1317,17 @@ class Scene {
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
   uneven = 0
   holds: Hold[] = []
+  /** What was done so far, by kind: for tests and tools, which set it back to 0 as they like. */
+  work: Float64Array = new Float64Array(6)
 }
+
+/** Record of `work`: steps in which something was awake, sub-steps, sweeps, contacts that they visited, impacts that theirs did, pairs measured. */
+const STEPS_TAKEN = 0
+const SUBSTEPS_TAKEN = 1
+const SWEPT = 2
+const VISITED = 3
+const HITS = 4
+const MEASURED = 5
 
 function link(contacts: Contacts, edge: number, body: number): void {
   const first = contacts.head[body]
@@ -1765,7 +1771,6 @@ class Impacts {
   /** Number of the phase that last reached each body. */
   mark: Int32Array = new Int32Array(1)
   phase = 0
-  sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
   passOn = 0.5
@@ -1931,7 +1936,7 @@ function resolve(impacts: Impacts, scene: Scene): void {
         spread(impacts, scene, contacts.pair[2 * c + 1])
       }
     }
-    impacts.sweeps += impacts.count
+    scene.work[HITS] += impacts.count
     if (most > RUNAWAY * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }
@@ -2175,7 +2180,7 @@ function prepare(
         touch[LEAD] = h
         measure(bodies, contacts, scene.walls, c)
         touch[LEAD] = 0
-        contacts.measured++
+        scene.work[MEASURED]++
         if (touch[COUNT] > 0) d[k + DUE] = travel + loose
         else d[k + DUE] = travel + touch[DISTANCE]
       }
@@ -2435,7 +2440,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
     s[b + VY] = vyB + imb * y
     s[b + SPIN] = spinB
   }
-  contacts.rows += rows
+  scene.work[VISITED] += rows
   return stirs
 }
 
@@ -2750,7 +2755,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
         if (!(shift < LOOSE)) {
           touch[WIDEST] = -Infinity
           measure(bodies, contacts, walls, c)
-          contacts.measured++
+          scene.work[MEASURED]++
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
         }
@@ -2845,7 +2850,7 @@ function rest(islands: Islands, scene: Scene): void {
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
     measure(bodies, contacts, scene.walls, c)
-    contacts.measured++
+    scene.work[MEASURED]++
     if (touch[DISTANCE] < -DEEP - SLOP) deep = true
     const load = contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD]
     if (touch[DISTANCE] > DEEP + SLOP && load > 0) lifted = true
@@ -2882,16 +2887,6 @@ function drowsy({ parent, reach }: Islands, i: number): boolean {
 
 // step: one step of all that is awake ───────────────────────────────────────────────────────────────────────
 
-/** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
-class Stats {
-  /** Steps in which something was awake; others are not taken. */
-  steps = 0
-  awake = 0
-  islands = 0
-  substeps = 0
-  sweeps = 0
-}
-
 /**
  * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
  * compiled anew as well, and all of them whenever one of the worlds has gone.
@@ -2902,7 +2897,6 @@ class Simulation extends Scene {
   pairs = new Pairs()
   islands = new Islands()
   impacts = new Impacts()
-  stats = new Stats()
   sleeps = true
   /** Of a step of 1/60 s. */
   substeps = 1
@@ -2932,7 +2926,7 @@ class Simulation extends Scene {
 
 /** One step of all that is awake. */
 function stepOnce(simulation: Simulation): void {
-  const { bodies, pairs, islands, stats } = simulation
+  const { bodies, pairs, islands, work } = simulation
   const { state, before, awake, undrawn } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
@@ -2958,9 +2952,7 @@ function stepOnce(simulation: Simulation): void {
     if (c0 === c1 && bodies.held[islands.bodies[b0]] === 0) fly(simulation, islands.bodies[b0])
     else solve(simulation, b0, b1, c0, c1)
   }
-  stats.steps++
-  stats.islands = islands.count
-  stats.awake = bodies.awakeCount
+  work[STEPS_TAKEN]++
   if (simulation.sleeps) rest(islands, simulation)
 }
 
@@ -2984,7 +2976,7 @@ function fly(simulation: Simulation, i: number): void {
 
 /** One island through the step. */
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
-  const { bodies, h, holds, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
+  const { bodies, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
   const { live } = islands
   let end = c0
   const speed = fastest(simulation, b0, b1)
@@ -3038,10 +3030,10 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       // Where friction or a third chip has a say, it may not converge.
       if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
-      stats.sweeps++
+      work[SWEPT]++
     }
     const active = move(simulation, islands.bodies, b0, b1)
-    stats.substeps++
+    work[SUBSTEPS_TAKEN]++
     if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
   }
   let deep = separate(simulation, live, c0, end)
@@ -3222,7 +3214,7 @@ function wakeStruck(scene: Scene): void {
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
       measure(bodies, contacts, walls, c)
-      contacts.measured++
+      scene.work[MEASURED]++
       for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
         probe(bodies, contacts, c, p)
         if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)
@@ -3293,7 +3285,7 @@ function createWorld(options: WorldOptions) {
     within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
     within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
   )
-  const { bodies, contacts, walls, holds, pairs, islands, impacts, stats } = scene
+  const { bodies, contacts, walls, holds, pairs, islands, impacts } = scene
   walls.width = size(options.width)
   walls.height = size(options.height)
   scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
@@ -3407,14 +3399,6 @@ function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      stats.steps = 0
-      stats.awake = 0
-      contacts.measured = 0
-      stats.islands = 0
-      stats.substeps = 0
-      stats.sweeps = 0
-      contacts.rows = 0
-      impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {

@@ -111,10 +111,6 @@ export class Contacts {
   last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
-  /** Pairs measured since the count was last set to 0. */
-  measured = 0
-  /** Rows visited by sweeps. */
-  rows = 0
 }
 
 /** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
@@ -139,7 +135,17 @@ export class Scene {
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
   uneven = 0
   holds: Hold[] = []
+  /** What was done so far, by kind: for tests and tools, which set it back to 0 as they like. */
+  work: Float64Array = new Float64Array(6)
 }
+
+/** Record of `work`: steps in which something was awake, sub-steps, sweeps, contacts that they visited, impacts that theirs did, pairs measured. */
+export const STEPS_TAKEN = 0
+export const SUBSTEPS_TAKEN = 1
+export const SWEPT = 2
+export const VISITED = 3
+export const HITS = 4
+export const MEASURED = 5
 
 function link(contacts: Contacts, edge: number, body: number): void {
   const first = contacts.head[body]

@@ -33,6 +33,7 @@ import {
   GOAL_T,
   HIT,
   HIT_T,
+  HITS,
   K,
   MASS_T,
   measure,
@@ -67,7 +68,6 @@ export class Impacts {
   /** Number of the phase that last reached each body. */
   mark: Int32Array = new Int32Array(1)
   phase = 0
-  sweeps = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
   passOn = 0.5
@@ -233,7 +233,7 @@ export function resolve(impacts: Impacts, scene: Scene): void {
         spread(impacts, scene, contacts.pair[2 * c + 1])
       }
     }
-    impacts.sweeps += impacts.count
+    scene.work[HITS] += impacts.count
     if (most > RUNAWAY * impacts.fastest) further = 1
     if (most < still && impacts.count === before) break
   }

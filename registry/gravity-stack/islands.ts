@@ -26,6 +26,7 @@ import {
   FROM_X,
   FROM_Y,
   LOAD,
+  MEASURED,
   measure,
   POINTS,
   type Scene,
@@ -192,7 +193,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
         if (!(shift < LOOSE)) {
           touch[WIDEST] = -Infinity
           measure(bodies, contacts, walls, c)
-          contacts.measured++
+          scene.work[MEASURED]++
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
         }
@@ -287,7 +288,7 @@ export function rest(islands: Islands, scene: Scene): void {
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
     measure(bodies, contacts, scene.walls, c)
-    contacts.measured++
+    scene.work[MEASURED]++
     if (touch[DISTANCE] < -DEEP - SLOP) deep = true
     const load = contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD]
     if (touch[DISTANCE] > DEEP + SLOP && load > 0) lifted = true

@@ -76,7 +76,7 @@ export function createWorld(options: WorldOptions) {
     within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
     within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
   )
-  const { bodies, contacts, walls, holds, pairs, islands, impacts, stats } = scene
+  const { bodies, contacts, walls, holds, pairs, islands, impacts } = scene
   walls.width = size(options.width)
   walls.height = size(options.height)
   scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
@@ -190,14 +190,6 @@ export function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      stats.steps = 0
-      stats.awake = 0
-      contacts.measured = 0
-      stats.islands = 0
-      stats.substeps = 0
-      stats.sweeps = 0
-      contacts.rows = 0
-      impacts.sweeps = 0
       left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {

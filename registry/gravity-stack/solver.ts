@@ -79,6 +79,7 @@ import {
   LOAD,
   MASS,
   MASS_T,
+  MEASURED,
   measure,
   NA,
   NB,
@@ -90,6 +91,7 @@ import {
   SECOND,
   TA,
   TB,
+  VISITED,
 } from './contacts'
 import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './impacts'
 
@@ -207,7 +209,7 @@ export function prepare(
         touch[LEAD] = h
         measure(bodies, contacts, scene.walls, c)
         touch[LEAD] = 0
-        contacts.measured++
+        scene.work[MEASURED]++
         if (touch[COUNT] > 0) d[k + DUE] = travel + loose
         else d[k + DUE] = travel + touch[DISTANCE]
       }
@@ -467,7 +469,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
     s[b + VY] = vyB + imb * y
     s[b + SPIN] = spinB
   }
-  contacts.rows += rows
+  scene.work[VISITED] += rows
   return stirs
 }
 

@@ -50,22 +50,27 @@ import {
   TOLERANCE_STILL,
   UNEVEN,
 } from './constants'
-import { CONTACT, carry, gapBound, LAG, LOAD, measure, POINTS, probe, Scene, SECOND } from './contacts'
+import {
+  CONTACT,
+  carry,
+  gapBound,
+  LAG,
+  LOAD,
+  MEASURED,
+  measure,
+  POINTS,
+  probe,
+  Scene,
+  SECOND,
+  STEPS_TAKEN,
+  SUBSTEPS_TAKEN,
+  SWEPT,
+} from './contacts'
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
 import { keepInBox, Pairs, updatePairs } from './pairs'
 import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
-
-/** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
-class Stats {
-  /** Steps in which something was awake; others are not taken. */
-  steps = 0
-  awake = 0
-  islands = 0
-  substeps = 0
-  sweeps = 0
-}
 
 /**
  * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
@@ -77,7 +82,6 @@ export class Simulation extends Scene {
   pairs = new Pairs()
   islands = new Islands()
   impacts = new Impacts()
-  stats = new Stats()
   sleeps = true
   /** Of a step of 1/60 s. */
   substeps = 1
@@ -107,7 +111,7 @@ export class Simulation extends Scene {
 
 /** One step of all that is awake. */
 export function stepOnce(simulation: Simulation): void {
-  const { bodies, pairs, islands, stats } = simulation
+  const { bodies, pairs, islands, work } = simulation
   const { state, before, awake, undrawn } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
@@ -133,9 +137,7 @@ export function stepOnce(simulation: Simulation): void {
     if (c0 === c1 && bodies.held[islands.bodies[b0]] === 0) fly(simulation, islands.bodies[b0])
     else solve(simulation, b0, b1, c0, c1)
   }
-  stats.steps++
-  stats.islands = islands.count
-  stats.awake = bodies.awakeCount
+  work[STEPS_TAKEN]++
   if (simulation.sleeps) rest(islands, simulation)
 }
 
@@ -159,7 +161,7 @@ function fly(simulation: Simulation, i: number): void {
 
 /** One island through the step. */
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
-  const { bodies, h, holds, pairs, islands, impacts, stats, substeps, air, spinAir } = simulation
+  const { bodies, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
   const { live } = islands
   let end = c0
   const speed = fastest(simulation, b0, b1)
@@ -213,10 +215,10 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       // Where friction or a third chip has a say, it may not converge.
       if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
-      stats.sweeps++
+      work[SWEPT]++
     }
     const active = move(simulation, islands.bodies, b0, b1)
-    stats.substeps++
+    work[SUBSTEPS_TAKEN]++
     if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
   }
   let deep = separate(simulation, live, c0, end)
@@ -397,7 +399,7 @@ function wakeStruck(scene: Scene): void {
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
       measure(bodies, contacts, walls, c)
-      contacts.measured++
+      scene.work[MEASURED]++
       for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
         probe(bodies, contacts, c, p)
         if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)

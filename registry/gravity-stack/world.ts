@@ -1,5 +1,5 @@
 import { ANGLE, INV_INERTIA, INV_MASS, SPIN, STATE, VX, VY, X, Y } from './body'
-import { CONTACT, POINTS } from './contacts'
+import { CONTACT, HITS, MEASURED, POINTS, STEPS_TAKEN, SUBSTEPS_TAKEN, SWEPT, VISITED } from './contacts'
 import { createWorld as createBareWorld, type WorldOptions } from './simulation'
 
 export type { BodyOptions, Grab, Motion, WorldOptions } from './simulation'
@@ -19,9 +19,15 @@ export type World = ReturnType<typeof createWorld>
 /** A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people copy. */
 export function createWorld(options: WorldOptions) {
   const world = createBareWorld(options)
-  const { bodies, contacts, impacts, stats } = world.scene
+  const { bodies, contacts, islands, work } = world.scene
+  const { step } = world
 
   const tools = {
+    step(seconds: number): void {
+      work.fill(0)
+      step(seconds)
+    },
+
     /** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
     get stats() {
       let pairs = 0
@@ -35,16 +41,21 @@ export function createWorld(options: WorldOptions) {
         points += here
       }
       return {
-        ...stats,
+        /** Steps in which something was awake; others are not taken. */
+        steps: work[STEPS_TAKEN],
+        awake: work[STEPS_TAKEN] > 0 ? islands.bodyStart[islands.count] : 0,
+        islands: work[STEPS_TAKEN] > 0 ? islands.count : 0,
+        substeps: work[SUBSTEPS_TAKEN],
+        sweeps: work[SWEPT],
         pairs,
         /** Pairs measured. */
-        narrow: contacts.measured,
+        narrow: work[MEASURED],
         contacts: touching,
         points,
         /** Contacts visited by the sweeps over impacts. */
-        hits: impacts.sweeps,
+        hits: work[HITS],
         /** Contacts visited by the sweeps over velocities. */
-        rows: contacts.rows,
+        rows: work[VISITED],
       }
     },
 
