@@ -244,8 +244,8 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const had = d[k + POINTS]
   const load1 = d[k + LOAD]
   const load2 = d[k + SECOND + LOAD]
-  const loaded = had > 0 && load1 + load2 > 0
-  const torque = had > 0 ? d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG] : 0
+  const loaded = load1 + load2 > 0
+  const torque = d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG]
   if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
@@ -262,8 +262,6 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
     d[k + LOAD] = 0
     d[k + SECOND + LOAD] = 0
     d[k + DRAG] = 0
-    d[k + SECOND + NA] = 0
-    d[k + SECOND + NB] = 0
     return
   }
 
@@ -272,17 +270,15 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const f1 = touch[FEATURE]
   const f2 = count > 1 ? touch[POINT + FEATURE] : -1
   const old1 = contacts.feature[2 * c]
-  const old2 = had > 1 ? contacts.feature[2 * c + 1] : -1
-  const l1 = loaded ? load1 : 0
-  const l2 = loaded && had > 1 ? load2 : 0
-  const both = l1 + l2
-  const half = l1 / 2
+  const old2 = contacts.feature[2 * c + 1]
+  const half = load1 / 2
   const same = old1 === f1
   const cross = old1 === f2
   const swapped = cross || old2 === f1
-  d[k + LOAD] = count === 1 ? both : had > 1 ? (swapped ? l2 : l1) : cross ? 0 : same ? l1 : half
-  d[k + SECOND + LOAD] = count === 1 ? 0 : had > 1 ? (swapped ? l1 : l2) : cross ? l1 : same ? 0 : half
-  if (!loaded) d[k + DRAG] = 0
+  d[k + LOAD] =
+    count === 1 ? load1 + load2 : had > 1 ? (swapped ? load2 : load1) : cross ? 0 : same ? load1 : half
+  d[k + SECOND + LOAD] =
+    count === 1 ? 0 : had > 1 ? (swapped ? load1 : load2) : cross ? load1 : same ? 0 : half
   contacts.feature[2 * c] = f1
   contacts.feature[2 * c + 1] = f2
 
