@@ -1038,17 +1038,9 @@ interface Hold {
   /** Impulse of a sub-step. */
   impulseX: number
   impulseY: number
-  /** Arm, inverse mass matrix, softness: prepared once a sub-step. */
+  /** Arm at which it acts, px. */
   rx: number
   ry: number
-  k11: number
-  k12: number
-  k22: number
-  biasX: number
-  biasY: number
-  massScale: number
-  impulseScale: number
-  limit: number
 }
 
 function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
@@ -1069,14 +1061,6 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
     impulseY: 0,
     rx: 0,
     ry: 0,
-    k11: 0,
-    k12: 0,
-    k22: 0,
-    biasX: 0,
-    biasY: 0,
-    massScale: 0,
-    impulseScale: 0,
-    limit: 0,
   }
 }
 
@@ -1091,38 +1075,17 @@ function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): voi
   arm[1] = sin * localX + cos * localY
 }
 
-/** Prepares the constraint for sub-steps of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
-function prepareHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
-  const i = hold.body * STATE
-  const s = bodies.state
+/** Prepares the constraint for a sub-step of `h` seconds. */
+function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
   findArm(bodies, hold)
-  const rx = arm[0]
-  const ry = arm[1]
-  const m = s[i + INV_MASS]
-  const n = s[i + INV_INERTIA]
   hold.idle += h
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
-    n * ((rx - hold.rx) * hold.impulseY - (ry - hold.ry) * hold.impulseX)
-  const omega = 2 * Math.PI * GRAB_HERTZ
-  const a1 = 2 * GRAB_DAMPING + h * omega
-  const a2 = h * omega * a1
-  const a3 = 1 / (1 + a2)
-  hold.massScale = a2 * a3
-  hold.impulseScale = a3
-  hold.biasX = (omega / a1) * (s[i + X] + rx - hold.x)
-  hold.biasY = (omega / a1) * (s[i + Y] + ry - hold.y)
-  const k11 = m + n * ry * ry
-  const k12 = -n * rx * ry
-  const k22 = m + n * rx * rx
-  const det = 1 / (k11 * k22 - k12 * k12)
-  hold.k11 = k22 * det
-  hold.k12 = -k12 * det
-  hold.k22 = k11 * det
-  hold.rx = rx
-  hold.ry = ry
-  hold.limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+    bodies.state[hold.body * STATE + INV_INERTIA] *
+    ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
+  hold.rx = arm[0]
+  hold.ry = arm[1]
 }
 
 /** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
@@ -1144,26 +1107,38 @@ function carryHold(bodies: Bodies, hold: Hold): void {
     bodies.state[i + INV_INERTIA] * (hold.rx * hold.impulseY - hold.ry * hold.impulseX)
 }
 
-function solveHold(bodies: Bodies, hold: Hold): void {
+/** One visit of a sweep, in a sub-step of `h` seconds; `gravity` in px/s² sets the scale of its strength. */
+function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void {
   const s = bodies.state
   const i = hold.body * STATE
   const { rx, ry } = hold
-  const vx = s[i + VX] - s[i + SPIN] * ry + hold.biasX
-  const vy = s[i + VY] + s[i + SPIN] * rx + hold.biasY
-  let x = hold.impulseX * (1 - hold.impulseScale) - hold.massScale * (hold.k11 * vx + hold.k12 * vy)
-  let y = hold.impulseY * (1 - hold.impulseScale) - hold.massScale * (hold.k12 * vx + hold.k22 * vy)
+  const m = s[i + INV_MASS]
+  const n = s[i + INV_INERTIA]
+  const omega = 2 * Math.PI * GRAB_HERTZ
+  const a1 = 2 * GRAB_DAMPING + h * omega
+  const a2 = h * omega * a1
+  const soft = 1 / (1 + a2)
+  const vx = s[i + VX] - s[i + SPIN] * ry + (omega / a1) * (s[i + X] + rx - hold.x)
+  const vy = s[i + VY] + s[i + SPIN] * rx + (omega / a1) * (s[i + Y] + ry - hold.y)
+  const k11 = m + n * ry * ry
+  const k12 = -n * rx * ry
+  const k22 = m + n * rx * rx
+  const det = 1 / (k11 * k22 - k12 * k12)
+  let x = hold.impulseX * (1 - soft) - a2 * soft * (k22 * det * vx + -k12 * det * vy)
+  let y = hold.impulseY * (1 - soft) - a2 * soft * (-k12 * det * vx + k11 * det * vy)
   const size = Math.sqrt(x * x + y * y)
-  if (size > hold.limit) {
-    x *= hold.limit / size
-    y *= hold.limit / size
+  const limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+  if (size > limit) {
+    x *= limit / size
+    y *= limit / size
   }
   const dx = x - hold.impulseX
   const dy = y - hold.impulseY
   hold.impulseX = x
   hold.impulseY = y
-  s[i + VX] += s[i + INV_MASS] * dx
-  s[i + VY] += s[i + INV_MASS] * dy
-  s[i + SPIN] += s[i + INV_INERTIA] * (rx * dy - ry * dx)
+  s[i + VX] += m * dx
+  s[i + VY] += m * dy
+  s[i + SPIN] += n * (rx * dy - ry * dx)
 }
 
 /** s of the pointer's way that a throw is fitted to. */
@@ -3014,12 +2989,12 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     simulation.relaxation = relaxation
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, simulation.gravity)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
     let stirs = 1
     for (let k = 0; k < sweeps && stirs > 0; k++) {
       for (let g = 0; g < grabbed.length; g++) {
-        solveHold(bodies, grabbed[g]!)
+        solveHold(bodies, grabbed[g]!, h, simulation.gravity)
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)

@@ -203,12 +203,12 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     simulation.relaxation = relaxation
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h, simulation.gravity)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
     let stirs = 1
     for (let k = 0; k < sweeps && stirs > 0; k++) {
       for (let g = 0; g < grabbed.length; g++) {
-        solveHold(bodies, grabbed[g]!)
+        solveHold(bodies, grabbed[g]!, h, simulation.gravity)
         bodies.stirred[grabbed[g]!.body] = round + k - 1
       }
       stirs = sweep(simulation, live, c0, end, round + k)
