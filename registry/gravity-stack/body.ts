@@ -147,8 +147,8 @@ export function setShape(
   const corners = corner * (hx * hx + hy * hy + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
   const mass = density * area
   const inertia = density * (inner + sides + caps + corners)
-  bodies.state[i * STATE + INV_MASS] = mass > 0 ? 1 / mass : 0
-  bodies.state[i * STATE + INV_INERTIA] = inertia > 0 ? 1 / inertia : 0
+  bodies.state[i * STATE + INV_MASS] = 1 / mass
+  bodies.state[i * STATE + INV_INERTIA] = 1 / inertia
 }
 
 /** px, half the shorter side of body `i`. */

@@ -1,4 +1,18 @@
-import { ANGLE, capSpeed, grow, MAX_DAMPING, SPIN, STATE, setPose, setShape, VX, VY, X, Y } from './body'
+import {
+  ANGLE,
+  capSpeed,
+  grow,
+  INV_MASS,
+  MAX_DAMPING,
+  SPIN,
+  STATE,
+  setPose,
+  setShape,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
 import {
   ANGULAR_DAMPING,
   BOUNCE,
@@ -96,20 +110,11 @@ export function createWorld(options: WorldOptions) {
       const capacity = bodies.alive.length
       if (capacity < bodies.count)
         for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
-      const s = i * STATE
-      bodies.density[i] = within(positive(body.density, 1), 1e-6, 1e6, 1)
+      const { density = 1 } = body
+      bodies.density[i] = within(density > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
-      setPose(
-        bodies,
-        i,
-        within(body.x, -FAR, FAR, 0),
-        within(body.y, -FAR, FAR, 0),
-        within(body.angle, -FAR, FAR, 0),
-      )
-      bodies.state[s + VX] = finite(body.vx)
-      bodies.state[s + VY] = finite(body.vy)
-      bodies.state[s + SPIN] = within(body.spin, -1000, 1000, 0)
-      capSpeed(bodies.state, s, MAX_SPEED)
+      bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
+      put(i, body)
       bodies.alive[i] = 1
       bodies.asleep[i] = 0
       bodies.held[i] = 0
@@ -137,19 +142,7 @@ export function createWorld(options: WorldOptions) {
     place(id: number, motion: Motion): void {
       if (!bodies.alive[id]) return
       disturb(scene, id)
-      const s = id * STATE
-      const state = bodies.state
-      setPose(
-        bodies,
-        id,
-        within(motion.x, -FAR, FAR, state[s + X]),
-        within(motion.y, -FAR, FAR, state[s + Y]),
-        within(motion.angle, -FAR, FAR, state[s + ANGLE]),
-      )
-      state[s + VX] = finite(motion.vx, state[s + VX])
-      state[s + VY] = finite(motion.vy, state[s + VY])
-      state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
-      capSpeed(state, s, MAX_SPEED)
+      put(id, motion)
       forget(id)
     },
 
@@ -253,6 +246,23 @@ export function createWorld(options: WorldOptions) {
     },
   }
 
+  /** Puts body `i` where and as fast as `motion` says; what that leaves out stays as it is. */
+  function put(i: number, motion: Motion): void {
+    const { state } = bodies
+    const s = i * STATE
+    setPose(
+      bodies,
+      i,
+      within(motion.x, -FAR, FAR, state[s + X]),
+      within(motion.y, -FAR, FAR, state[s + Y]),
+      within(motion.angle, -FAR, FAR, state[s + ANGLE]),
+    )
+    state[s + VX] = finite(motion.vx, state[s + VX])
+    state[s + VY] = finite(motion.vy, state[s + VY])
+    state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
+    capSpeed(state, s, MAX_SPEED)
+  }
+
   function wakeAll(): void {
     for (let i = 1; i < bodies.count; i++) {
       if (!bodies.alive[i]) continue
@@ -286,10 +296,6 @@ function finite(value: number | undefined, otherwise = 0): number {
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 function within(value: number | undefined, least: number, most: number, otherwise: number): number {
   return Math.max(least, Math.min(most, finite(value, otherwise)))
-}
-
-function positive(value: number | undefined, otherwise: number): number {
-  return value !== undefined && value > 0 && value < Infinity ? value : otherwise
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */
