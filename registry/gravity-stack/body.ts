@@ -60,9 +60,7 @@ export const RADIUS = 2
 export const EXTENT = 3
 /** Distance of the core's farthest point: turning by θ moves no point of the outline by more than this times θ. */
 export const CORE = 4
-/** 1 / px², inverse square of that distance; 0 for a disc. */
-export const INV_CORE2 = 5
-export const SHAPE = 6
+export const SHAPE = 5
 
 /**
  * A class, as all that the solver reads at every contact: V8 forgets what it knows of the fields of an object written out in
@@ -134,7 +132,6 @@ export function setShape(
   const core = hx * hx + hy * hy
   bodies.shape[s + CORE] = Math.sqrt(core)
   bodies.shape[s + EXTENT] = Math.sqrt(core) + r
-  bodies.shape[s + INV_CORE2] = core > 0 ? 1 / core : 0
 
   // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
   const corner = Math.PI * r * r
