@@ -21,10 +21,7 @@ import {
   CLEAR,
   CONTACT,
   DUE,
-  FROM_A,
-  FROM_B,
-  FROM_X,
-  FROM_Y,
+  gapBound,
   LOAD,
   MEASURED,
   measure,
@@ -179,18 +176,13 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
-        const sign = (edge & 1) === 0 ? 1 : -1
-        const shift =
-          Math.abs(sign * (s[b + X] - s[a + X]) - d[k + FROM_X]) +
-          Math.abs(sign * (s[b + Y] - s[a + Y]) - d[k + FROM_Y]) +
-          coreA * Math.abs(s[a + ANGLE] - d[k + (sign > 0 ? FROM_A : FROM_B)]) +
-          coreB * Math.abs(s[b + ANGLE] - d[k + (sign > 0 ? FROM_B : FROM_A)])
-        if (d[k + CLEAR] - shift > may) {
-          d[k + DUE] = travel + d[k + CLEAR] - shift
+        const bound = gapBound(bodies, contacts, c)
+        if (bound > may) {
+          d[k + DUE] = travel + bound
           continue
         }
         // Measured again only where that bound has grown loose, and for the gap alone.
-        if (!(shift < LOOSE)) {
+        if (!(d[k + CLEAR] - bound < LOOSE)) {
           touch[WIDEST] = -Infinity
           measure(bodies, contacts, walls, c)
           scene.work[MEASURED]++
