@@ -21,6 +21,7 @@ import {
   CLEAR,
   CONTACT,
   DUE,
+  FROM_X,
   gapBound,
   LOAD,
   MEASURED,
