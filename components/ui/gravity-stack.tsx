@@ -279,7 +279,7 @@ function grow(owner: object, times: number): void {
 
 /**
  * Sets the shape of body `i` from its outer size and corner radius (px) and its mass from its area.
- * Area and second moment are the rounded rectangle's own: two slabs that cross, and four quarter discs.
+ * Area and second moment are the rounded rectangle's own: core, four slabs and four quarter discs.
  */
 function setShape(
   bodies: Bodies,
@@ -300,16 +300,17 @@ function setShape(
   bodies.shape[s + CORE] = Math.sqrt(core)
   bodies.shape[s + EXTENT] = Math.sqrt(core) + r
 
-  // The cross of two slabs, and a disc spread over the four corners.
+  // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
   const corner = Math.PI * r * r
   const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
-  // ∫x²+y² over a slab: the core is in both.
-  const slab = (a: number, b: number) => (4 * a * b * (a * a + b * b)) / 3
-  const cross = slab(hx + r, hy) + slab(hx, hy + r) - slab(hx, hy)
+  // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
+  const inner = (4 * hx * hy * (hx * hx + hy * hy)) / 3
+  const sides = (4 * r * hy * (hy * hy + (r * r) / 4)) / 3 + 4 * r * hy * (hx + r / 2) * (hx + r / 2)
+  const caps = (4 * r * hx * (hx * hx + (r * r) / 4)) / 3 + 4 * r * hx * (hy + r / 2) * (hy + r / 2)
   // A quarter disc's centre of area lies 4r/3π from its corner along each axis.
-  const corners = corner * (core + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
+  const corners = corner * (hx * hx + hy * hy + (r * r) / 2) + (8 * r * r * r * (hx + hy)) / 3
   const mass = density * area
-  const inertia = density * (cross + corners)
+  const inertia = density * (inner + sides + caps + corners)
   bodies.state[i * STATE + INV_MASS] = 1 / mass
   bodies.state[i * STATE + INV_INERTIA] = 1 / inertia
 }
