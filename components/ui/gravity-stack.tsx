@@ -149,7 +149,7 @@ const REST_TIME = 0.5
 const SORTING = 0.1
 const STRAIGHTENING = 20_000
 /** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
-const ROOM_ROUNDS = 4
+const ROOM_ROUNDS = 8
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
@@ -2913,10 +2913,11 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
 function makeRoom(simulation: Simulation): void {
   const { bodies, contacts, pairs } = simulation
   const { asleep, awake, awakeCount } = bodies
-  const { pair } = contacts
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
+    // New pairs may have needed new arrays.
+    const { pair } = contacts
     const list: Int32Array = new Int32Array(contacts.count)
     let count = 0
     for (let c = 0; c < contacts.count; c++)

@@ -334,10 +334,11 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
 function makeRoom(simulation: Simulation): void {
   const { bodies, contacts, pairs } = simulation
   const { asleep, awake, awakeCount } = bodies
-  const { pair } = contacts
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
+    // New pairs may have needed new arrays.
+    const { pair } = contacts
     const list: Int32Array = new Int32Array(contacts.count)
     let count = 0
     for (let c = 0; c < contacts.count; c++)

@@ -128,14 +128,27 @@ describe('a pile that has less room', () => {
     expect(median(peaks)).toBeLessThan(0.5)
   })
 
-  it('is in order again five steps after the stage is turned from wide to tall', () => {
-    const left = seeds.map((seed) => {
-      const { world, ids, chips } = sleeping(seed)
-      world.resize(375, 500)
-      for (let n = 0; n < 5; n++) world.step(frame)
-      return overlap(world, ids, chips, { width: 375, height: 500 })
-    })
-    expect(median(left)).toBeLessThan(0.5)
+  it('is in order again five steps after the stage is turned from wide to tall, or half as wide', () => {
+    for (const [from, to] of [
+      [stage, { width: 375, height: 500 }],
+      [
+        { width: 1280, height: 320 },
+        { width: 640, height: 320 },
+      ],
+    ] as const) {
+      const left = seeds.map((seed) => {
+        const chips = pourChips('pills', 60, seed).map((chip) => ({
+          ...chip,
+          x: (chip.x * from.width) / stage.width,
+        }))
+        const { world, ids } = worldOf(chips, from)
+        expect(settle(world)).toBeLessThan(360)
+        world.resize(to.width, to.height)
+        for (let n = 0; n < 5; n++) world.step(frame)
+        return overlap(world, ids, chips, to)
+      })
+      expect(median(left)).toBeLessThan(0.5)
+    }
   })
 
   it('as all chips have grown by a tenth, as when a web font comes late, is in order after five steps', () => {
