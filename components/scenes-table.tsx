@@ -48,9 +48,9 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
                   {row.measure}
                 </th>
                 <td className="whitespace-nowrap px-3 py-1 sm:px-4 tabular-nums">{figure}</td>
-                <td className="whitespace-nowrap px-3 py-1 sm:px-4 text-muted-foreground tabular-nums">
+                <td className="px-3 py-1 sm:px-4 text-muted-foreground tabular-nums">
                   {bound}
-                  {missed && <strong className="ml-2 font-medium text-foreground">missed</strong>}
+                  {missed && <strong className="font-medium text-foreground"> missed</strong>}
                 </td>
               </tr>
             )
