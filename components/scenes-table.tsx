@@ -27,7 +27,7 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
       <thead>
         <tr className="border-b text-muted-foreground">
           {['Measure', 'Figure', bound].map((head) => (
-            <th key={head} scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
+            <th key={head} scope="col" className="px-2.5 py-2.5 sm:px-4 font-medium">
               {head}
             </th>
           ))}
@@ -36,7 +36,7 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
       {scenes.map(({ title, rows }) => (
         <tbody key={title} className="border-b last:border-0">
           <tr>
-            <th scope="rowgroup" colSpan={3} className="px-3 pt-3 sm:px-4 pb-1 font-medium">
+            <th scope="rowgroup" colSpan={3} className="px-2.5 pt-3 sm:px-4 pb-1 font-medium">
               {typeset(title)}
             </th>
           </tr>
@@ -44,11 +44,11 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
             const { figure, bound, missed } = cellsOf(row)
             return (
               <tr key={row.measure} className="align-baseline last:*:pb-3">
-                <th scope="row" className="px-3 py-1 sm:px-4 font-normal text-muted-foreground">
+                <th scope="row" className="px-2.5 py-1 sm:px-4 font-normal text-muted-foreground">
                   {row.measure}
                 </th>
-                <td className="whitespace-nowrap px-3 py-1 sm:px-4 tabular-nums">{figure}</td>
-                <td className="px-3 py-1 sm:px-4 text-muted-foreground tabular-nums">
+                <td className="whitespace-nowrap px-2.5 py-1 sm:px-4 tabular-nums">{figure}</td>
+                <td className="px-2.5 py-1 sm:px-4 text-muted-foreground tabular-nums">
                   {bound}
                   {missed && <strong className="font-medium text-foreground"> missed</strong>}
                 </td>
