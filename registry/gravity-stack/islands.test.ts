@@ -160,6 +160,18 @@ describe('a sleeping pile wakes', () => {
   })
 })
 
+describe('a pile at rest but awake', () => {
+  it('follows the floor a few px down at once, even under a chip wider than the stage', () => {
+    const below = [60, 320].map((x) => ({ ...box, x, y: floor - 20 }))
+    const wide = { width: 700, height: 20, x: 320, y: -1000, angle: 0 }
+    const { world, ids } = worldOf([...below, wide], { sleep: false })
+    run(world, 0.5)
+    world.resize(stage.width, stage.height + 4)
+    run(world, 0.1)
+    for (const id of ids.slice(0, 2)) expect(world.read(id).y).toBeCloseTo(floor + 4 - 20, 1)
+  })
+})
+
 describe('a sleeping chip sleeps on', () => {
   it('beside a tower that is taken away', () => {
     const { world, ids } = asleep([...tower(2, 200), ...tower(2, 440)])

@@ -605,14 +605,17 @@ export function straighten(
 ): boolean {
   const { bodies, contacts, walls } = scene
   touch[WIDEST] = MARGIN
+  let stuck = false
   for (let n = 0; n < bodyCount; n++) {
     // A chip that reaches from wall to wall and beyond has no place to go.
     halfExtents(bodies, chips[n], 0, 0)
-    if (2 * extents[X] > walls.width + 2) return false
+    if (2 * extents[X] > walls.width + 2) stuck = true
   }
   let rounds = 0
   for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
     for (let i = 0; i < count; i++) measure(bodies, contacts, walls, list[i])
+    // Walls that have moved are seen all the same.
+    if (stuck) break
     let passes = 0
     const most = Math.min(PARTINGS, visits / count)
     while (passes < most && separate(scene, list, 0, count) > 0) passes++
