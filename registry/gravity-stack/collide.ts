@@ -171,6 +171,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   const mine = onA ? AX : BX
   const its = onA ? BX : AX
 
+  // Where along the incident side it is nearest; not known where the cores overlap.
+  let near = Number.NaN
   // Where the cores are apart, as two without an inside may be on every axis, the closest features may be two corners.
   if (best > 0 || thin) {
     // Closest points of the two sides, ±u and w ± e (after Ericson, Real-Time Collision Detection, 5.1.9).
@@ -189,6 +191,7 @@ export function collide(bodies: Bodies, a: number, b: number): void {
     s = s > 1 ? 1 : Math.max(s, -1)
     let t = (ue * s - ew) * invE
     t = t > 1 ? 1 : Math.max(t, -1)
+    near = t
     s = (uw + ue * t) * invU
     s = s > 1 ? 1 : Math.max(s, -1)
     if ((s === 1 || s === -1 || half === 0) && (t === 1 || t === -1 || invE === 0)) {
@@ -253,8 +256,16 @@ export function collide(bodies: Bodies, a: number, b: number): void {
       hiFeature = own + face + 1
     }
   }
-  // Of an incident side that lies beyond the face its nearer end is all there is, and of a point the point.
-  if (hi < lo || ee === 0) lo = hi = mid > 0 ? -1 : 1
+  // Of an incident side that lies beyond the face its nearer end is all there is, and of a point the point. A side square to the face
+  // may leave it by next to nothing: its end is not cut off.
+  if (hi < lo || ee === 0) lo = hi = near >= -1 ? near : mid > 0 ? -1 : 1
+  else if (near < lo) {
+    lo = near
+    loFeature = other + face
+  } else if (near > hi) {
+    hi = near
+    hiFeature = other + face + 1
+  }
   let least = Infinity
   for (let k = 0; k < 2; k++) {
     if (k === 1 && hi - lo < 1e-6) break
