@@ -64,8 +64,8 @@ const CROWDED = 12
 const CREEP = 3
 /** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
 const RUNAWAY = 8
-/** px of overlap from which an island is not over-relaxed. */
-const CRUSHED = 1
+/** px of overlap from which a contact is not over-relaxed. */
+const CRUSHED = 1.5
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 const ROUNDS = 512
 /**
@@ -73,8 +73,9 @@ const ROUNDS = 512
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
  */
 const TOLERANCE_SHARE = 0.01
+const TOLERANCE_SHARE_LIVELY = 0.02
 const TOLERANCE_LEAST = 0.05
-const TOLERANCE_MOST = 5
+const TOLERANCE_MOST = 10
 /**
  * px/s, and px/s²: an island in which nothing is faster, or accelerates more, is in balance: the step's other sub-steps would repeat
  * this one. What starts no faster than that would count as at rest anyway: half a pixel in half a second.
@@ -108,27 +109,28 @@ const MAX_PUSH = 4
 const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 const CLOSING_SHARE = 0.1
-/**
- * px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen; less where
- * chips bounce, as what the sweeps stop does not.
- */
+/** px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen. */
 const MARGIN = 1.5
-const MARGIN_LIVELY_BOUNCE = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 const AHEAD = 1.25
-/** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
-const REFRESH = 0.3
+/**
+ * px of relative motion after which a touching pair is measured again, the same where an island is neither lively nor creeping, as arms that lag
+ * feed nearly round chips that rock, and that of a chip at a wall.
+ */
+const REFRESH = 0.5
+const REFRESH_ROCKING = 0.05
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 const STANDING = 0.0005
-/** px by which a broad-phase box is larger than its chip. */
+/** px, and share of the way of a step, by which a broad-phase box is larger than its chip. */
 const SKIN = 5
+const SKIN_SHARE = 0.1
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
-const IMPACT_SHARE = 0.05
+const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
 const IMPACT_ROUNDS_DULL = 2
 const IMPACT_ROUNDS = 6
@@ -651,6 +653,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
   const mine = onA ? AX : BX
   const its = onA ? BX : AX
 
+  // Where along the incident side it is nearest; not known where the cores overlap.
+  let near = Number.NaN
   // Where the cores are apart, as two without an inside may be on every axis, the closest features may be two corners.
   if (best > 0 || thin) {
     // Closest points of the two sides, ±u and w ± e (after Ericson, Real-Time Collision Detection, 5.1.9).
@@ -669,6 +673,7 @@ function collide(bodies: Bodies, a: number, b: number): void {
     s = s > 1 ? 1 : Math.max(s, -1)
     let t = (ue * s - ew) * invE
     t = t > 1 ? 1 : Math.max(t, -1)
+    near = t
     s = (uw + ue * t) * invU
     s = s > 1 ? 1 : Math.max(s, -1)
     if ((s === 1 || s === -1 || half === 0) && (t === 1 || t === -1 || invE === 0)) {
@@ -733,8 +738,16 @@ function collide(bodies: Bodies, a: number, b: number): void {
       hiFeature = own + face + 1
     }
   }
-  // Of an incident side that lies beyond the face its nearer end is all there is, and of a point the point.
-  if (hi < lo || ee === 0) lo = hi = mid > 0 ? -1 : 1
+  // Of an incident side that lies beyond the face its nearer end is all there is, and of a point the point. A side square to the face
+  // may leave it by next to nothing: its end is not cut off.
+  if (hi < lo || ee === 0) lo = hi = near >= -1 ? near : mid > 0 ? -1 : 1
+  else if (near < lo) {
+    lo = near
+    loFeature = other + face
+  } else if (near > hi) {
+    hi = near
+    hiFeature = other + face + 1
+  }
   let least = Infinity
   for (let k = 0; k < 2; k++) {
     if (k === 1 && hi - lo < 1e-6) break
@@ -1010,6 +1023,8 @@ const FROM_X = 1
 const FROM_Y = 2
 const FROM_A = 3
 const FROM_B = 4
+/** The furthest that a sweep takes its impulses. */
+const FURTHEST = 5
 const NX = 6
 const NY = 7
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
@@ -1083,6 +1098,8 @@ class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** px of relative motion after which a touching pair of the present island is measured again. */
+  loose = 0.5
   /** px/s, what is slower in the present island its first sweep leaves alone. */
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
@@ -1386,10 +1403,12 @@ function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boo
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
-  box[k] = left - SKIN + Math.min(goX, 0)
-  box[k + 1] = top - SKIN + Math.min(goY, 0)
-  box[k + 2] = right + SKIN + Math.max(goX, 0)
-  box[k + 3] = bottom + SKIN + Math.max(goY, 0)
+  // What it hits on the way may turn it aside.
+  const skin = SKIN + SKIN_SHARE * (Math.abs(goX) + Math.abs(goY))
+  box[k] = left - skin + Math.min(goX, 0)
+  box[k + 1] = top - skin + Math.min(goY, 0)
+  box[k + 2] = right + skin + Math.max(goX, 0)
+  box[k + 3] = bottom + skin + Math.max(goY, 0)
   return true
 }
 
@@ -1565,7 +1584,7 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   ahead.speed = 0
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-    d[p + GOAL] = -Infinity
+    d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
     probe(bodies, contacts, c, p)
     const start = touch[RATE_NOW]
     // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
@@ -1611,7 +1630,11 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
   d[k + GOAL_T] = (-slip * when) / scene.h
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
-    if (i === 0 || impacts.mark[i] === impacts.phase) continue
+    if (i === 0) continue
+    if (impacts.mark[i] === impacts.phase) {
+      if (when < impacts.when[i]) impacts.when[i] = when
+      continue
+    }
     impacts.mark[i] = impacts.phase
     const n = impacts.bodyCount++
     impacts.bodies[n] = i
@@ -1653,7 +1676,7 @@ function clearImpacts(impacts: Impacts): void {
 /** What bodies hit in this sub-step will hit next: contact `c` is measured where they were hit, as far as they may then go. */
 function enterAgain(impacts: Impacts, scene: Scene, c: number, way: number): void {
   measureAt(scene, c, hitBefore(impacts, scene, c), way)
-  enterImpact(impacts, scene, c)
+  enterImpact(impacts, scene, c, way)
 }
 
 /** s from the start of the sub-step at which the bodies of contact `c` were last hit in it. */
@@ -1661,14 +1684,14 @@ function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, 
   return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
 }
 
-/** Contact `c` joins the cluster if one of its points will hit. */
-function enterImpact(impacts: Impacts, scene: Scene, c: number): void {
+/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, joins the cluster if one of its points will hit. */
+function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): void {
   if (!foresee(impacts, scene, c)) return
   let hits = true
   // Measured again at the time of impact until that time stands still.
   for (let n = 0; n < 6; n++) {
     const time = ahead.time
-    measureAt(scene, c, time, MARGIN)
+    measureAt(scene, c, time, way)
     hits = foresee(impacts, scene, c)
     if (Math.abs(ahead.time - time) < 1e-13) break
   }
@@ -1905,7 +1928,6 @@ function prepare(
   const { motion, shape, moved } = bodies
   const pair = contacts.pair
   const ahead = AHEAD * h
-  const margin = marginOf(scene)
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   impacts.first = impacts.phase
@@ -1922,7 +1944,7 @@ function prepare(
         live[end++] = c
         continue
       }
-    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + margin < d[k + DUE]) continue
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
     const vx = s[b + VX] - s[a + VX]
@@ -1939,8 +1961,8 @@ function prepare(
         coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
         coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
-        margin + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
-      const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
+        MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
+      const loose = bodyA > 0 ? scene.loose : WALL_REFRESH
       const spare = touching ? loose - shift : d[k + CLEAR] - shift
       // Where the two move alike, less of their travel counts.
       d[k + DUE] = travel + spare
@@ -1956,17 +1978,15 @@ function prepare(
       if (d[k + POINTS] === 0) continue
     }
     live[end++] = c
-    if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
-      // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
-      const speed = d[k + NX] * vx + d[k + NY] * vy + enough
-      const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
-      const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
-      if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
-        enterImpact(impacts, scene, c)
-        if (d[k + POINTS] === 0) {
-          end--
-          continue
-        }
+    // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
+    const speed = d[k + NX] * vx + d[k + NY] * vy + enough
+    const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
+    const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
+    if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
+      enterImpact(impacts, scene, c, nearing(scene, c))
+      if (d[k + POINTS] === 0) {
+        end--
+        continue
       }
     }
     close(scene, c)
@@ -2022,12 +2042,7 @@ function nearing(scene: Scene, c: number): number {
     Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
     shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
     shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
-  return marginOf(scene) + AHEAD * scene.h * way
-}
-
-/** px, gap below which a pair is handed to the sweeps. */
-function marginOf({ bounce }: Scene): number {
-  return bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
+  return MARGIN + AHEAD * scene.h * way
 }
 
 /**
@@ -2047,6 +2062,7 @@ function close(scene: Scene, c: number): void {
   const ny = d[k + NY]
   const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
   const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  d[k + FURTHEST] = 2
   for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
     const gap = d[p + BASE] + across + d[p + NB] * s[b + ANGLE] - d[p + NA] * s[a + ANGLE]
     let closing = 0
@@ -2069,7 +2085,10 @@ function close(scene: Scene, c: number): void {
     d[p + CLOSING] = closing
     if (gap < -SLOP) part(scene, c, p, true)
     // What is crushed asks for more than there can be: taken further still, it would be shot away.
-    if (gap < -CRUSHED) scene.relaxation = 1
+    if (gap < -CRUSHED) {
+      d[k + FURTHEST] = 1
+      scene.relaxation = Math.min(scene.relaxation, RELAXATION)
+    }
   }
 }
 
@@ -2080,7 +2099,7 @@ function close(scene: Scene, c: number): void {
  * stirred by as much in this round or the last.
  */
 function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
-  const { bodies, contacts, friction, tolerance, relaxation } = scene
+  const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -2100,6 +2119,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
     const b = bodyB * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
+    const relaxation = Math.min(widest, d[k + FURTHEST])
     let spinA = s[a + SPIN]
     let spinB = s[b + SPIN]
     const vxA = s[a + VX]
@@ -2753,11 +2773,14 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const unequal = uneven > UNEVEN
   const crushing = unequal && speed > LIVELY
   const most = Math.min(uneven, SWEEPS_UNEVEN)
+  simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
-    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed)) /
-      (crushing ? Math.sqrt(uneven) : 1)
+    : Math.max(
+        TOLERANCE_LEAST,
+        Math.min(TOLERANCE_MOST, (speed > LIVELY ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
+      ) / (crushing ? Math.sqrt(uneven) : 1)
   // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
   const relaxation = crushing
     ? 2 / (1 + 1 / Math.sqrt(1 + most))

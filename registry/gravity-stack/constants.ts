@@ -46,8 +46,8 @@ export const CROWDED = 12
 export const CREEP = 3
 /** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
 export const RUNAWAY = 8
-/** px of overlap from which an island is not over-relaxed. */
-export const CRUSHED = 1
+/** px of overlap from which a contact is not over-relaxed. */
+export const CRUSHED = 1.5
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 export const ROUNDS = 512
 /**
@@ -55,8 +55,9 @@ export const ROUNDS = 512
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
  */
 export const TOLERANCE_SHARE = 0.01
+export const TOLERANCE_SHARE_LIVELY = 0.02
 export const TOLERANCE_LEAST = 0.05
-export const TOLERANCE_MOST = 5
+export const TOLERANCE_MOST = 10
 /**
  * px/s, and px/s²: an island in which nothing is faster, or accelerates more, is in balance: the step's other sub-steps would repeat
  * this one. What starts no faster than that would count as at rest anyway: half a pixel in half a second.
@@ -90,27 +91,28 @@ export const MAX_PUSH = 4
 export const WALL_GIVE = 0.9
 /** Share of the gap of a contact that carries a load, by which it may close in a sub-step: less chatter than all of it. */
 export const CLOSING_SHARE = 0.1
-/**
- * px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen; less where
- * chips bounce, as what the sweeps stop does not.
- */
+/** px, gap below which a pair is handed to the solver before it touches, as what the sweeps do to a chip in a sub-step is not foreseen. */
 export const MARGIN = 1.5
-export const MARGIN_LIVELY_BOUNCE = 0.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 export const AHEAD = 1.25
-/** px of relative motion after which a touching pair, and a chip at a wall, is measured again. */
-export const REFRESH = 0.3
+/**
+ * px of relative motion after which a touching pair is measured again, the same where an island is neither lively nor creeping, as arms that lag
+ * feed nearly round chips that rock, and that of a chip at a wall.
+ */
+export const REFRESH = 0.5
+export const REFRESH_ROCKING = 0.05
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 export const STANDING = 0.0005
-/** px by which a broad-phase box is larger than its chip. */
+/** px, and share of the way of a step, by which a broad-phase box is larger than its chip. */
 export const SKIN = 5
+export const SKIN_SHARE = 0.1
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2
-export const IMPACT_SHARE = 0.05
+export const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
 export const IMPACT_ROUNDS_DULL = 2
 export const IMPACT_ROUNDS = 6

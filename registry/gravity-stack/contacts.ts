@@ -55,6 +55,8 @@ export const FROM_X = 1
 export const FROM_Y = 2
 export const FROM_A = 3
 export const FROM_B = 4
+/** The furthest that a sweep takes its impulses. */
+export const FURTHEST = 5
 export const NX = 6
 export const NY = 7
 /** The record of point 1; that of point 2 lies `SECOND` places on, and is zero without one. */
@@ -128,6 +130,8 @@ export class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** px of relative motion after which a touching pair of the present island is measured again. */
+  loose = 0.5
   /** px/s, what is slower in the present island its first sweep leaves alone. */
   slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */

@@ -21,7 +21,6 @@ import {
   IMPACT_SWEEPS,
   IMPACT_TOLERANCE,
   IMPACT_TOUCH,
-  MARGIN,
   RUNAWAY,
   SWEEPS_UNEVEN,
   UNEVEN,
@@ -35,6 +34,7 @@ import {
   HIT_T,
   HITS,
   K,
+  LOAD,
   MASS_T,
   measure,
   NA,
@@ -93,7 +93,7 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   ahead.speed = 0
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-    d[p + GOAL] = -Infinity
+    d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
     probe(bodies, contacts, c, p)
     const start = touch[RATE_NOW]
     // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
@@ -139,7 +139,11 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
   d[k + GOAL_T] = (-slip * when) / scene.h
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
-    if (i === 0 || impacts.mark[i] === impacts.phase) continue
+    if (i === 0) continue
+    if (impacts.mark[i] === impacts.phase) {
+      if (when < impacts.when[i]) impacts.when[i] = when
+      continue
+    }
     impacts.mark[i] = impacts.phase
     const n = impacts.bodyCount++
     impacts.bodies[n] = i
@@ -181,7 +185,7 @@ export function clearImpacts(impacts: Impacts): void {
 /** What bodies hit in this sub-step will hit next: contact `c` is measured where they were hit, as far as they may then go. */
 export function enterAgain(impacts: Impacts, scene: Scene, c: number, way: number): void {
   measureAt(scene, c, hitBefore(impacts, scene, c), way)
-  enterImpact(impacts, scene, c)
+  enterImpact(impacts, scene, c, way)
 }
 
 /** s from the start of the sub-step at which the bodies of contact `c` were last hit in it. */
@@ -189,14 +193,14 @@ function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, 
   return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
 }
 
-/** Contact `c` joins the cluster if one of its points will hit. */
-export function enterImpact(impacts: Impacts, scene: Scene, c: number): void {
+/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, joins the cluster if one of its points will hit. */
+export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): void {
   if (!foresee(impacts, scene, c)) return
   let hits = true
   // Measured again at the time of impact until that time stands still.
   for (let n = 0; n < 6; n++) {
     const time = ahead.time
-    measureAt(scene, c, time, MARGIN)
+    measureAt(scene, c, time, way)
     hits = foresee(impacts, scene, c)
     if (Math.abs(ahead.time - time) < 1e-13) break
   }

@@ -1,6 +1,6 @@
 import { type Bodies, CORE, extents, halfExtents, narrowest, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
-import { SKIN, STEP } from './constants'
+import { SKIN, SKIN_SHARE, STEP } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
 
 /**
@@ -54,10 +54,12 @@ function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boo
   const box = pairs.box
   const k = i * 4
   if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
-  box[k] = left - SKIN + Math.min(goX, 0)
-  box[k + 1] = top - SKIN + Math.min(goY, 0)
-  box[k + 2] = right + SKIN + Math.max(goX, 0)
-  box[k + 3] = bottom + SKIN + Math.max(goY, 0)
+  // What it hits on the way may turn it aside.
+  const skin = SKIN + SKIN_SHARE * (Math.abs(goX) + Math.abs(goY))
+  box[k] = left - skin + Math.min(goX, 0)
+  box[k + 1] = top - skin + Math.min(goY, 0)
+  box[k + 2] = right + skin + Math.max(goX, 0)
+  box[k + 3] = bottom + skin + Math.max(goY, 0)
   return true
 }
 

@@ -44,14 +44,12 @@ import {
   LIVELY,
   LIVELY_BOUNCE,
   MARGIN,
-  MARGIN_LIVELY_BOUNCE,
   MAX_PUSH,
   MAX_SPEED,
   MISJUDGED,
   PARTINGS,
   PUSH,
   PUSH_LAST,
-  REFRESH,
   RELAXATION,
   ROLLING,
   ROLLING_SHARE,
@@ -72,6 +70,7 @@ import {
   FROM_B,
   FROM_X,
   FROM_Y,
+  FURTHEST,
   gapBound,
   INV_DET,
   K,
@@ -165,7 +164,6 @@ export function prepare(
   const { motion, shape, moved } = bodies
   const pair = contacts.pair
   const ahead = AHEAD * h
-  const margin = marginOf(scene)
   const enough = scene.threshold - Math.abs(scene.gravity) * h
   let end = from
   impacts.first = impacts.phase
@@ -182,7 +180,7 @@ export function prepare(
         live[end++] = c
         continue
       }
-    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + margin < d[k + DUE]) continue
+    } else if (motion[ma + HORIZON] + motion[mb + HORIZON] + MARGIN < d[k + DUE]) continue
     const a = bodyA * STATE
     const b = bodyB * STATE
     const vx = s[b + VX] - s[a + VX]
@@ -199,8 +197,8 @@ export function prepare(
         coreA * Math.abs(s[a + ANGLE] - d[k + FROM_A]) +
         coreB * Math.abs(s[b + ANGLE] - d[k + FROM_B])
       const near =
-        margin + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
-      const loose = bodyA > 0 ? REFRESH : WALL_REFRESH
+        MARGIN + ahead * (Math.abs(vx) + Math.abs(vy) + coreA * Math.abs(spinA) + coreB * Math.abs(spinB))
+      const loose = bodyA > 0 ? scene.loose : WALL_REFRESH
       const spare = touching ? loose - shift : d[k + CLEAR] - shift
       // Where the two move alike, less of their travel counts.
       d[k + DUE] = travel + spare
@@ -216,17 +214,15 @@ export function prepare(
       if (d[k + POINTS] === 0) continue
     }
     live[end++] = c
-    if (d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
-      // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
-      const speed = d[k + NX] * vx + d[k + NY] * vy + enough
-      const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
-      const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
-      if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
-        enterImpact(impacts, scene, c)
-        if (d[k + POINTS] === 0) {
-          end--
-          continue
-        }
+    // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
+    const speed = d[k + NX] * vx + d[k + NY] * vy + enough
+    const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
+    const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
+    if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
+      enterImpact(impacts, scene, c, nearing(scene, c))
+      if (d[k + POINTS] === 0) {
+        end--
+        continue
       }
     }
     close(scene, c)
@@ -282,12 +278,7 @@ function nearing(scene: Scene, c: number): number {
     Math.abs(state[b * STATE + VY] - state[a * STATE + VY]) +
     shape[a * SHAPE + CORE] * Math.abs(state[a * STATE + SPIN]) +
     shape[b * SHAPE + CORE] * Math.abs(state[b * STATE + SPIN])
-  return marginOf(scene) + AHEAD * scene.h * way
-}
-
-/** px, gap below which a pair is handed to the sweeps. */
-function marginOf({ bounce }: Scene): number {
-  return bounce < LIVELY_BOUNCE ? MARGIN : MARGIN_LIVELY_BOUNCE
+  return MARGIN + AHEAD * scene.h * way
 }
 
 /**
@@ -307,6 +298,7 @@ function close(scene: Scene, c: number): void {
   const ny = d[k + NY]
   const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
   const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
+  d[k + FURTHEST] = 2
   for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
     const gap = d[p + BASE] + across + d[p + NB] * s[b + ANGLE] - d[p + NA] * s[a + ANGLE]
     let closing = 0
@@ -329,7 +321,10 @@ function close(scene: Scene, c: number): void {
     d[p + CLOSING] = closing
     if (gap < -SLOP) part(scene, c, p, true)
     // What is crushed asks for more than there can be: taken further still, it would be shot away.
-    if (gap < -CRUSHED) scene.relaxation = 1
+    if (gap < -CRUSHED) {
+      d[k + FURTHEST] = 1
+      scene.relaxation = Math.min(scene.relaxation, RELAXATION)
+    }
   }
 }
 
@@ -340,7 +335,7 @@ function close(scene: Scene, c: number): void {
  * stirred by as much in this round or the last.
  */
 export function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
-  const { bodies, contacts, friction, tolerance, relaxation } = scene
+  const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
@@ -360,6 +355,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
     const b = bodyB * STATE
     const nx = d[k + NX]
     const ny = d[k + NY]
+    const relaxation = Math.min(widest, d[k + FURTHEST])
     let spinA = s[a + SPIN]
     let spinB = s[b + SPIN]
     const vxA = s[a + VX]

@@ -33,6 +33,8 @@ import {
   MAX_SPEED,
   PARTINGS,
   PATIENCE,
+  REFRESH,
+  REFRESH_ROCKING,
   RELAXATION,
   ROOM_ROUNDS,
   ROUNDS,
@@ -47,6 +49,7 @@ import {
   TOLERANCE_LEAST,
   TOLERANCE_MOST,
   TOLERANCE_SHARE,
+  TOLERANCE_SHARE_LIVELY,
   TOLERANCE_STILL,
   UNEVEN,
 } from './constants'
@@ -171,11 +174,14 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const unequal = uneven > UNEVEN
   const crushing = unequal && speed > LIVELY
   const most = Math.min(uneven, SWEEPS_UNEVEN)
+  simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
-    : Math.max(TOLERANCE_LEAST, Math.min(TOLERANCE_MOST, TOLERANCE_SHARE * speed)) /
-      (crushing ? Math.sqrt(uneven) : 1)
+    : Math.max(
+        TOLERANCE_LEAST,
+        Math.min(TOLERANCE_MOST, (speed > LIVELY ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
+      ) / (crushing ? Math.sqrt(uneven) : 1)
   // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
   const relaxation = crushing
     ? 2 / (1 + 1 / Math.sqrt(1 + most))
