@@ -1098,6 +1098,8 @@ class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** Whether something in the present island is fast. */
+  lively = false
   /** px of relative motion after which a touching pair of the present island is measured again. */
   loose = 0.5
   /** px/s, what is slower in the present island its first sweep leaves alone. */
@@ -2087,7 +2089,7 @@ function close(scene: Scene, c: number): void {
     // What is crushed asks for more than there can be: taken further still, it would be shot away.
     if (gap < -CRUSHED) {
       d[k + FURTHEST] = 1
-      scene.relaxation = Math.min(scene.relaxation, RELAXATION)
+      if (!scene.lively || scene.relaxation > RELAXATION) scene.relaxation = 1
     }
   }
 }
@@ -2773,6 +2775,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const unequal = uneven > UNEVEN
   const crushing = unequal && speed > LIVELY
   const most = Math.min(uneven, SWEEPS_UNEVEN)
+  simulation.lively = speed > LIVELY
   simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still

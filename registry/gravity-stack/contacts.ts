@@ -130,6 +130,8 @@ export class Scene {
   h = 0.5
   /** px/s, change of a velocity that the sweeps of the present island leave alone. */
   tolerance = 0.5
+  /** Whether something in the present island is fast. */
+  lively = false
   /** px of relative motion after which a touching pair of the present island is measured again. */
   loose = 0.5
   /** px/s, what is slower in the present island its first sweep leaves alone. */

@@ -174,6 +174,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const unequal = uneven > UNEVEN
   const crushing = unequal && speed > LIVELY
   const most = Math.min(uneven, SWEEPS_UNEVEN)
+  simulation.lively = speed > LIVELY
   simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
