@@ -64,7 +64,7 @@ const CROWDED = 12
 const CREEP = 3
 /** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
 const RUNAWAY = 8
-/** px of overlap from which a contact is not over-relaxed. */
+/** px of overlap from which a contact is not over-relaxed, nor its island where that is slow or of very unequal masses. */
 const CRUSHED = 1.5
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 const ROUNDS = 512
@@ -2773,16 +2773,17 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const still = speed <= BALANCE
   // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
   const unequal = uneven > UNEVEN
-  const crushing = unequal && speed > LIVELY
+  const lively = speed > LIVELY
+  const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
-  simulation.lively = speed > LIVELY
-  simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
+  simulation.lively = lively
+  simulation.loose = speed > CREEP && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
     : Math.max(
         TOLERANCE_LEAST,
-        Math.min(TOLERANCE_MOST, (speed > LIVELY ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
+        Math.min(TOLERANCE_MOST, (lively ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
       ) / (crushing ? Math.sqrt(uneven) : 1)
   // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
   const relaxation = crushing
@@ -2795,7 +2796,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   let sweeps =
     grabbed.length > 0
       ? SWEEPS
-      : speed > LIVELY
+      : lively
         ? SWEEPS_LIVELY
         : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
   if (unequal) sweeps = Math.max(sweeps, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))

@@ -172,16 +172,17 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const still = speed <= BALANCE
   // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
   const unequal = uneven > UNEVEN
-  const crushing = unequal && speed > LIVELY
+  const lively = speed > LIVELY
+  const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
-  simulation.lively = speed > LIVELY
-  simulation.loose = speed > CREEP && speed < LIVELY ? REFRESH_ROCKING : REFRESH
+  simulation.lively = lively
+  simulation.loose = speed > CREEP && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
     : Math.max(
         TOLERANCE_LEAST,
-        Math.min(TOLERANCE_MOST, (speed > LIVELY ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
+        Math.min(TOLERANCE_MOST, (lively ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
       ) / (crushing ? Math.sqrt(uneven) : 1)
   // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
   const relaxation = crushing
@@ -194,7 +195,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   let sweeps =
     grabbed.length > 0
       ? SWEEPS
-      : speed > LIVELY
+      : lively
         ? SWEEPS_LIVELY
         : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
   if (unequal) sweeps = Math.max(sweeps, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
