@@ -92,7 +92,7 @@ export class Bodies {
   held: Uint8Array = new Uint8Array(1)
   /** 1 if the body has moved since it was last drawn. */
   undrawn: Uint8Array = new Uint8Array(1)
-  /** Steps in which partings have left the island of the body in a jam, since it last woke. */
+  /** Steps in a row in which partings have left the island of the body deep in itself. */
   jams: Int32Array = new Int32Array(1)
 }
 

@@ -79,9 +79,11 @@ export const SLOP = 0.004
 export const DEEP = 0.02
 export const JAMMED = 10
 export const PARTINGS = 64
-/** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
-export const WEDGED = 0.5
+/** Steps in a row that an island may stay deep for all that; from then on so many contacts are visited for it in a step, and what is wedged between others goes up. */
 export const PATIENCE = 30
+export const PARTING_BUDGET = 100_000
+/** px of overlap that partings have to leave for two chips to count as wedged. */
+export const WEDGED = 0.5
 /** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 export const PUSH = 0.5
 export const PUSH_LAST = 0.9

@@ -31,6 +31,7 @@ import {
   LIVELY_BOUNCE,
   MARGIN,
   MAX_SPEED,
+  PARTING_BUDGET,
   PARTINGS,
   PATIENCE,
   REFRESH,
@@ -229,11 +230,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     work[SUBSTEPS_TAKEN]++
     if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
   }
-  let deep = separate(simulation, live, c0, end)
-  if (deep > 0 && speed <= JAMMED) {
-    for (let n = Math.max(PARTINGS, most); n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
-    if (deep > 0) relieve(simulation, b0, b1, c0, end)
-  }
+  const deep = separate(simulation, live, c0, end)
+  if (speed <= JAMMED) unjam(simulation, deep, Math.max(PARTINGS, most), b0, b1, c0, end)
   for (let n = b0; n < b1; n++) {
     keepInBox(simulation, pairs, islands.bodies[n])
     keepInside(simulation, islands.bodies[n])
@@ -251,18 +249,26 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
 }
 
-/** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
-function relieve(simulation: Simulation, b0: number, b1: number, c0: number, end: number): void {
-  const { bodies, islands } = simulation
-  const { jams } = bodies
-  const worst = deepest(simulation, islands.live, c0, end)
-  let often = 0
-  for (let n = b0; n < b1; n++) {
-    const i = islands.bodies[n]
-    jams[i] = worst < 0 ? 0 : jams[i] + 1
-    often = Math.max(often, jams[i])
-  }
-  if (often >= PATIENCE) lift(simulation, worst)
+/** Parts an island that its step has left `deep`, `most` times; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
+function unjam(
+  simulation: Simulation,
+  deep: number,
+  most: number,
+  b0: number,
+  b1: number,
+  c0: number,
+  end: number,
+): void {
+  const { live, bodies } = simulation.islands
+  const { jams } = simulation.bodies
+  let steps = 0
+  for (let n = b0; n < b1; n++) steps = Math.max(steps, jams[bodies[n]])
+  const partings = steps < PATIENCE ? most : Math.max(most, PARTING_BUDGET / (end - c0))
+  for (let n = partings; n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
+  for (let n = b0; n < b1; n++) jams[bodies[n]] = deep > 0 ? steps + 1 : 0
+  if (deep === 0 || steps < PATIENCE) return
+  const worst = deepest(simulation, live, c0, end)
+  if (worst >= 0) lift(simulation, worst)
 }
 
 /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
