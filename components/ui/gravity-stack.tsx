@@ -97,9 +97,11 @@ const SLOP = 0.004
 const DEEP = 0.02
 const JAMMED = 10
 const PARTINGS = 64
-/** px of overlap that partings have to leave for two chips to count as wedged between others, and steps until one of them goes up. */
-const WEDGED = 0.5
+/** Steps in a row that an island may stay deep for all that; from then on so many contacts are visited for it in a step, and what is wedged between others goes up. */
 const PATIENCE = 30
+const PARTING_BUDGET = 100_000
+/** px of overlap that partings have to leave for two chips to count as wedged. */
+const WEDGED = 0.5
 /** Share of the remaining overlap that is taken out before a sub-step, and by a position sweep at the end of a step. */
 const PUSH = 0.5
 const PUSH_LAST = 0.9
@@ -261,7 +263,7 @@ class Bodies {
   held: Uint8Array = new Uint8Array(1)
   /** 1 if the body has moved since it was last drawn. */
   undrawn: Uint8Array = new Uint8Array(1)
-  /** Steps in which partings have left the island of the body in a jam, since it last woke. */
+  /** Steps in a row in which partings have left the island of the body deep in itself. */
   jams: Int32Array = new Int32Array(1)
 }
 
@@ -2830,11 +2832,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     work[SUBSTEPS_TAKEN]++
     if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
   }
-  let deep = separate(simulation, live, c0, end)
-  if (deep > 0 && speed <= JAMMED) {
-    for (let n = Math.max(PARTINGS, most); n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
-    if (deep > 0) relieve(simulation, b0, b1, c0, end)
-  }
+  const deep = separate(simulation, live, c0, end)
+  if (speed <= JAMMED) unjam(simulation, deep, Math.max(PARTINGS, most), b0, b1, c0, end)
   for (let n = b0; n < b1; n++) {
     keepInBox(simulation, pairs, islands.bodies[n])
     keepInside(simulation, islands.bodies[n])
@@ -2852,18 +2851,26 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
 }
 
-/** Counts how often partings have left the island deep in itself; after a while one of the two deepest is pushed up until it is free. */
-function relieve(simulation: Simulation, b0: number, b1: number, c0: number, end: number): void {
-  const { bodies, islands } = simulation
-  const { jams } = bodies
-  const worst = deepest(simulation, islands.live, c0, end)
-  let often = 0
-  for (let n = b0; n < b1; n++) {
-    const i = islands.bodies[n]
-    jams[i] = worst < 0 ? 0 : jams[i] + 1
-    often = Math.max(often, jams[i])
-  }
-  if (often >= PATIENCE) lift(simulation, worst)
+/** Parts an island that its step has left `deep`, `most` times; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
+function unjam(
+  simulation: Simulation,
+  deep: number,
+  most: number,
+  b0: number,
+  b1: number,
+  c0: number,
+  end: number,
+): void {
+  const { live, bodies } = simulation.islands
+  const { jams } = simulation.bodies
+  let steps = 0
+  for (let n = b0; n < b1; n++) steps = Math.max(steps, jams[bodies[n]])
+  const partings = steps < PATIENCE ? most : Math.max(most, PARTING_BUDGET / (end - c0))
+  for (let n = partings; n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
+  for (let n = b0; n < b1; n++) jams[bodies[n]] = deep > 0 ? steps + 1 : 0
+  if (deep === 0 || steps < PATIENCE) return
+  const worst = deepest(simulation, live, c0, end)
+  if (worst >= 0) lift(simulation, worst)
 }
 
 /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
