@@ -4,7 +4,7 @@ export type StageName = 'gravity-stack' | 'circle-chains' | 'matter-js'
 /** ms a frame on the main thread. */
 export type FrameCost = { median: number; p99: number; worst: number }
 
-/** A drop from its first frame until all lie still, or as long as given for a stage that never does. */
+/** A drop from its first frame until all lie still, or as long as given for a stage that never does: the median of three, number by number. */
 export type Drop = {
   chips: number
   /** ms between releases. */
@@ -22,7 +22,7 @@ export type Drop = {
   /** ms a frame of all raster threads together, and of putting the layers together on the screen. */
   raster: number
   compositor: number
-  /** Layouts or recalculated styles inside script. */
+  /** Most layouts or recalculated styles inside script in any of them. */
   forced: number
   /** ms of the longest collection of garbage, and how many there were. */
   garbage: { longest: number; count: number }
@@ -42,7 +42,7 @@ export type StageResult = {
   layers: { most: number; after: number }
   /** Writes to chips' styles a frame while they fall; frames and writes in the second after the drop. */
   writes: { perFrame: number; after: number; framesAfter: number }
-  /** ms, the slowest interaction while 60 chips settle, by throttle; 16 is the least a browser reports. */
+  /** ms, the slowest interaction while 60 chips settle, the median of three pages, by throttle; 16 is the least a browser reports. */
   interaction: Record<string, number>
   /** 30 s of 60 chips at work: bytes allocated a frame, growth of what is kept, and the heap second by second, bytes. */
   heap: { perFrame: number; growth: number; samples: number[] }

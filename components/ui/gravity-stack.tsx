@@ -64,7 +64,7 @@ const CROWDED = 12
 const CREEP = 3
 /** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
 const RUNAWAY = 8
-/** px of overlap from which a contact is not over-relaxed, nor its island where that is slow or of very unequal masses. */
+/** px of overlap from which a contact is not over-relaxed, nor its island where that is slow; one of very unequal masses is no further than others. */
 const CRUSHED = 1.5
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 const ROUNDS = 512
@@ -2091,7 +2091,7 @@ function close(scene: Scene, c: number): void {
     // What is crushed asks for more than there can be: taken further still, it would be shot away.
     if (gap < -CRUSHED) {
       d[k + FURTHEST] = 1
-      if (!scene.lively || scene.relaxation > RELAXATION) scene.relaxation = 1
+      scene.relaxation = scene.lively ? Math.min(scene.relaxation, RELAXATION) : 1
     }
   }
 }
@@ -2824,7 +2824,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       }
       stirs = sweep(simulation, live, c0, end, round + k)
       // Where friction or a third chip has a say, it may not converge.
-      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
+      if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
       work[SWEPT]++
     }

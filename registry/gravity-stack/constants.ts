@@ -46,7 +46,7 @@ export const CROWDED = 12
 export const CREEP = 3
 /** Times the speed that an island, or a cluster of impacts, began with: from there on over-relaxed sweeps are running away. */
 export const RUNAWAY = 8
-/** px of overlap from which a contact is not over-relaxed, nor its island where that is slow or of very unequal masses. */
+/** px of overlap from which a contact is not over-relaxed, nor its island where that is slow; one of very unequal masses is no further than others. */
 export const CRUSHED = 1.5
 /** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
 export const ROUNDS = 512

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { hardScenes } from '../../scenes/hard'
 import { frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { overlap, readAll, run, settle, stage, worldOf } from './testing'
@@ -65,6 +66,16 @@ describe('a pile falls asleep', () => {
         return { width: size, height, radius, x: 30 + 50 * random(), y: 300 - 40 * i, angle: 6 * random() }
       })
       expect(settle(worldOf(chips, options).world)).toBeLessThan(300)
+    }
+  })
+
+  it('within 6 s, and no chip in another, though twice its area was crammed into the stage: jams that crept apart for ten', () => {
+    const { build, conditions, width, height } = hardScenes.find(({ name }) => name === 'crammed')!
+    for (const seed of [88, 331]) {
+      const chips = build(seed)
+      const { world, ids } = worldOf(chips, { ...conditions, width, height })
+      expect(settle(world), `seed ${seed}`).toBeLessThan(360)
+      expect(overlap(world, ids, chips, { width, height }), `seed ${seed}`).toBeLessThan(0.05)
     }
   })
 

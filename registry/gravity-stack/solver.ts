@@ -323,7 +323,7 @@ function close(scene: Scene, c: number): void {
     // What is crushed asks for more than there can be: taken further still, it would be shot away.
     if (gap < -CRUSHED) {
       d[k + FURTHEST] = 1
-      if (!scene.lively || scene.relaxation > RELAXATION) scene.relaxation = 1
+      scene.relaxation = scene.lively ? Math.min(scene.relaxation, RELAXATION) : 1
     }
   }
 }

@@ -222,7 +222,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       }
       stirs = sweep(simulation, live, c0, end, round + k)
       // Where friction or a third chip has a say, it may not converge.
-      if (simulation.relaxation > RELAXATION && fastest(simulation, b0, b1) > RUNAWAY * speed)
+      if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
         simulation.relaxation = 1
       work[SWEPT]++
     }
