@@ -1,6 +1,6 @@
 // What the stage costs in a real browser, beside two others of the same chips: one of the method of the component's first
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
-//   npm run bench:browser                            writes bench/results/browser.json; about nine minutes
+//   npm run bench:browser                            writes bench/results/browser.json; about ten minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
 //   npm run bench:browser -- --out folder            writes there
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
@@ -216,8 +216,8 @@ async function weighHeap(stage: StageName) {
     return await visit(browser, conditions, { restless: true }, async (page, session, start) => {
       await start()
       await marked(page, 'drawn')
-      // All released, and the second after.
-      await wait(3)
+      // All released; and for half a minute what is compiled grows, which is kept but is nothing of the stage's.
+      await wait(heapSeconds)
       await session.send('HeapProfiler.enable')
       const frames = () => page.evaluate(() => window.observed.frames)
       const used = async () => (await session.send('Runtime.getHeapUsage')).usedSize

@@ -119,7 +119,7 @@ const rows: Row[] = [
     value: ({ heap }) => kB(heap.perFrame),
   },
   {
-    name: 'What the heap keeps after 30 s of that',
+    name: 'What the heap has kept after a minute of that, and had not after half of it',
     value: ({ heap }) => kB(Math.max(0, heap.growth)),
   },
 ]

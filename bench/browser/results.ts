@@ -44,7 +44,7 @@ export type StageResult = {
   writes: { perFrame: number; after: number; framesAfter: number }
   /** ms, the slowest interaction while 60 chips settle, the median of three pages, by throttle; 16 is the least a browser reports. */
   interaction: Record<string, number>
-  /** 30 s of 60 chips at work: bytes allocated a frame, growth of what is kept, and the heap second by second, bytes. */
+  /** 30 s of 60 chips at work, after 30 s of the same: bytes allocated a frame, growth of what is kept, and the heap second by second, bytes. */
   heap: { perFrame: number; growth: number; samples: number[] }
 }
 
