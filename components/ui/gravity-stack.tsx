@@ -52,6 +52,8 @@ const SWEEPS_LIVELY = 8
 const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 const SWEEPS_UNEVEN = 300
+/** How many of these come before the first that is over-relaxed. */
+const SWEEPS_PLAIN = 8
 const UNEVEN = 20
 /** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 const SWEEP_BUDGET = 16_000
@@ -116,25 +118,27 @@ const MARGIN = 1.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 const AHEAD = 1.25
 /**
- * px of relative motion after which a touching pair is measured again, the same where an island is neither lively nor creeping, as arms that lag
- * feed nearly round chips that rock, and that of a chip at a wall.
+ * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip no slower than this, px/s,
+ * and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
  */
 const REFRESH = 0.5
 const REFRESH_ROCKING = 0.05
+const ROCKING = 1
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 const STANDING = 0.0005
-/** px, and share of the way of a step, by which a broad-phase box is larger than its chip. */
+/** px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall that counts as near: it lets nobody by who is knocked. */
 const SKIN = 5
 const SKIN_SHARE = 0.1
+const WALL_SKIN = 20
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 const IMPACT_TOLERANCE = 2
 const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
-const IMPACT_ROUNDS_DULL = 2
+const IMPACT_ROUNDS_DULL = 3
 const IMPACT_ROUNDS = 6
 /** Restitution from which that is so, and from which a step is held to the energy that it began with. */
 const LIVELY_BOUNCE = 0.5
@@ -1431,7 +1435,11 @@ function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs):
     const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
       const near =
-        w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : fits && box[k + 2] > walls.width
+        w === 0
+          ? box[k + 3] > walls.height - WALL_SKIN
+          : w === 1
+            ? box[k] < WALL_SKIN
+            : fits && box[k + 2] > walls.width - WALL_SKIN
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {
@@ -1608,6 +1616,12 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
     const time = from + Math.min(rest, (2 * gap) / (-v - hit))
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
+    // Of two ends the first to hit turns the chip: what the other does then is asked in the next round.
+    if (ahead.speed > 0 && Math.abs(time - ahead.time) * -hit > IMPACT_TOUCH) {
+      if (time > ahead.time) continue
+      d[k + GOAL] = d[k + LOAD] > 0 ? 0 : -Infinity
+      ahead.speed = 0
+    }
     ahead.time = Math.min(ahead.time, time)
     ahead.speed = Math.max(ahead.speed, -hit)
     d[p + GOAL] = -e * hit - (hit - start)
@@ -1704,6 +1718,14 @@ function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): vo
   enlist(impacts, scene, c, ahead.time)
 }
 
+/**
+ * How far sweep `n` of `most` goes where masses are very unequal: at first and at last no further than each contact asks, up to `further`
+ * between. Friction answers to a load, and the load to it: taken further, one contact alone may go to and fro for ever.
+ */
+function furthest(further: number, n: number, most: number): number {
+  return n < SWEEPS_PLAIN || n >= 0.9 * most ? 1 : further
+}
+
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
 function resolve(impacts: Impacts, scene: Scene): void {
   const { bodies, contacts } = scene
@@ -1715,16 +1737,18 @@ function resolve(impacts: Impacts, scene: Scene): void {
   const unequal = scene.uneven > UNEVEN
   let further = unequal ? scene.relaxation : 1
   const slower = unequal ? Math.sqrt(scene.uneven) : 1
-  for (let n = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN)); n > 0; n--) {
+  const sweeps = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN))
+  for (let n = 0; n < sweeps; n++) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
     const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
+    const reach = exact ? 1 : furthest(further, n, sweeps)
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
       const c = impacts.list[i]
-      hit(scene, c, further)
+      hit(scene, c, reach)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
       if (change > impacts.passOn) {
@@ -2021,7 +2045,8 @@ function bounce(
       const k = c * CONTACT
       const a = pair[2 * c]
       const b = pair[2 * c + 1]
-      if (mark[a] === phase || mark[b] === phase) {
+      // A body that the next round will reach has been marked for that already.
+      if (mark[a] >= phase || mark[b] >= phase) {
         // What an impact sends off, or stops, may hit another within the same sub-step.
         if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
           const near = nearing(scene, c)
@@ -2532,8 +2557,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
         let may = fall + go
         if (again) {
           const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
-          may =
-            fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (root > 0 ? reach[root] : 0))
+          may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
@@ -2779,7 +2803,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.lively = lively
-  simulation.loose = speed > CREEP && !lively ? REFRESH_ROCKING : REFRESH
+  simulation.loose = speed > ROCKING && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
@@ -2816,8 +2840,10 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
+    let further = simulation.relaxation
     let stirs = 1
     for (let k = 0; k < sweeps && stirs > 0; k++) {
+      if (crushing) simulation.relaxation = furthest(further, k, sweeps)
       for (let g = 0; g < grabbed.length; g++) {
         solveHold(bodies, grabbed[g]!, h, simulation.gravity)
         bodies.stirred[grabbed[g]!.body] = round + k - 1
@@ -2825,7 +2851,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       stirs = sweep(simulation, live, c0, end, round + k)
       // Where friction or a third chip has a say, it may not converge.
       if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
-        simulation.relaxation = 1
+        simulation.relaxation = further = 1
       work[SWEPT]++
     }
     const active = move(simulation, islands.bodies, b0, b1)
@@ -2963,6 +2989,9 @@ function makeRoom(simulation: Simulation): void {
       simulation.cramped = 0
       return
     }
+    // A row between two walls that come nearer has room upwards only.
+    const worst = deepest(simulation, list, 0, count)
+    if (worst >= 0) lift(simulation, worst)
   }
 }
 

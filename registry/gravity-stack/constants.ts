@@ -34,6 +34,8 @@ export const SWEEPS_LIVELY = 8
 export const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 export const SWEEPS_UNEVEN = 300
+/** How many of these come before the first that is over-relaxed. */
+export const SWEEPS_PLAIN = 8
 export const UNEVEN = 20
 /** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 export const SWEEP_BUDGET = 16_000
@@ -98,25 +100,27 @@ export const MARGIN = 1.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 export const AHEAD = 1.25
 /**
- * px of relative motion after which a touching pair is measured again, the same where an island is neither lively nor creeping, as arms that lag
- * feed nearly round chips that rock, and that of a chip at a wall.
+ * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip no slower than this, px/s,
+ * and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
  */
 export const REFRESH = 0.5
 export const REFRESH_ROCKING = 0.05
+export const ROCKING = 1
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 export const STANDING = 0.0005
-/** px, and share of the way of a step, by which a broad-phase box is larger than its chip. */
+/** px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall that counts as near: it lets nobody by who is knocked. */
 export const SKIN = 5
 export const SKIN_SHARE = 0.1
+export const WALL_SKIN = 20
 
 /** px/s, and share of the hardest hit: change of velocity below which the sweeps over simultaneous impacts stop. */
 export const IMPACT_TOLERANCE = 2
 export const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
-export const IMPACT_ROUNDS_DULL = 2
+export const IMPACT_ROUNDS_DULL = 3
 export const IMPACT_ROUNDS = 6
 /** Restitution from which that is so, and from which a step is held to the energy that it began with. */
 export const LIVELY_BOUNCE = 0.5

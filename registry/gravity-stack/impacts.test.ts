@@ -3,7 +3,7 @@ import type { Shape } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { type Chip, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
-import { energy, overlap, readAll, stage, worldOf } from './testing'
+import { energy, overlap, readAll, run, settle, stage, worldOf } from './testing'
 
 function anyShape(random: () => number): Shape {
   const height = 16 + 60 * random()
@@ -190,6 +190,31 @@ describe('a box that falls over onto its long side', () => {
   )
 })
 
+describe('a box that slides on one corner and comes down on its side', () => {
+  // Friction answers to every push: sweeps that took each push further would go to and fro.
+  it.each([90, -90, 200])('does so on a chip of 180 times its weight as on the floor, at %i px/s', (vx) => {
+    const floor = stage.height - 65
+    const [cos, sin] = [Math.cos(0.05), Math.sin(0.05)]
+    const spin = -7
+    const box = { width: 15, height: 13, x: 320, angle: 0.05, vx, spin }
+    // On its lower right corner, which goes along the floor.
+    const landing = { ...box, y: floor - 7.5 * sin - 6.5 * cos, vy: -spin * (7.5 * cos - 6.5 * sin) }
+    const options = { linearDamping: 0, angularDamping: 0 }
+    const alone = worldOf([landing], { ...options, height: floor })
+    const large = worldOf([{ width: 545, height: 65, x: 320, y: floor + 32.5, angle: 0 }], options)
+    settle(large.world)
+    const id = large.world.add(landing)
+    for (let k = 1; k <= 3; k++) {
+      alone.world.step(frame)
+      large.world.step(frame)
+      const there = alone.world.read(alone.ids[0])
+      const here = large.world.read(id)
+      expect(Math.abs(here.spin - there.spin), `after ${k} frames`).toBeLessThan(0.5)
+      expect(Math.hypot(here.x - there.x, here.y - there.y), `after ${k} frames`).toBeLessThan(0.02)
+    }
+  })
+})
+
 describe('within one sub-step', () => {
   it('eight pills that fall upon each other at 1400 to 1800 px/s, turning, go 1.4 px into each other at worst of 100 times', () => {
     const random = seeded(8)
@@ -216,6 +241,37 @@ describe('within one sub-step', () => {
       const box = { width: 60, height: 30, angle: 0, vy: 1900 }
       const chips = [0, 1].map((i) => ({ ...box, x: 320, y: 250 + from - 31.5 * i }))
       expect(deepest(chips)).toBeLessThan(0.1)
+    }
+  })
+
+  it('a chip that comes along with a pill is stopped after both its ends have hit, 0.2 px deep at most', () => {
+    for (let from = 0; from < 30; from += 2) {
+      const chips = [
+        { width: 106, height: 28, radius: 14, x: 320, y: 270 + from, angle: 0.01, vy: 1780 },
+        { width: 58, height: 28, radius: 14, x: 305, y: 232.3 + from, angle: -0.52, vy: 1780 },
+      ]
+      expect(deepest(chips, 3), `from ${from} px on`).toBeLessThan(0.2)
+    }
+  })
+
+  it('a pill that comes down nearly flat hits with its lower end first, and turns as in sub-steps an eighth as long', () => {
+    for (const angle of [0.02, 0.05, 0.1, -0.1]) {
+      const pill = { width: 47, height: 28, radius: 14, x: 320, y: 300, angle, vy: 1280 }
+      const [as, fine] = [6, 48].map((substeps) => {
+        const { world, ids } = worldOf([pill], { substeps })
+        run(world, 2 * frame)
+        return world.read(ids[0])
+      })
+      expect(Math.abs(as.spin - fine.spin), `at ${angle} rad`).toBeLessThan(0.3)
+      expect(Math.hypot(as.vx - fine.vx, as.vy - fine.vy), `at ${angle} rad`).toBeLessThan(5)
+    }
+  })
+
+  it('a pill that is struck into a spin above the floor meets the floor with its end, and is not pressed into what struck it', () => {
+    for (let over = 6; over < 20; over += 2) {
+      const pill = { width: 86, height: 28, radius: 14, x: 320, y: stage.height - 14 - over, angle: 0 }
+      const bullet = { width: 28, height: 28, radius: 14, x: 350, y: pill.y - 40, angle: 0, vy: 3000 }
+      expect(deepest([pill, bullet], 3), `${over} px over it`).toBeLessThan(0.1)
     }
   })
 

@@ -22,6 +22,7 @@ import {
   IMPACT_TOLERANCE,
   IMPACT_TOUCH,
   RUNAWAY,
+  SWEEPS_PLAIN,
   SWEEPS_UNEVEN,
   UNEVEN,
 } from './constants'
@@ -113,6 +114,12 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
     const time = from + Math.min(rest, (2 * gap) / (-v - hit))
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = scene.bounce * -hit > 0.5 * Math.abs(rate) * (h - time) ? scene.bounce : 0
+    // Of two ends the first to hit turns the chip: what the other does then is asked in the next round.
+    if (ahead.speed > 0 && Math.abs(time - ahead.time) * -hit > IMPACT_TOUCH) {
+      if (time > ahead.time) continue
+      d[k + GOAL] = d[k + LOAD] > 0 ? 0 : -Infinity
+      ahead.speed = 0
+    }
     ahead.time = Math.min(ahead.time, time)
     ahead.speed = Math.max(ahead.speed, -hit)
     d[p + GOAL] = -e * hit - (hit - start)
@@ -209,6 +216,14 @@ export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: numb
   enlist(impacts, scene, c, ahead.time)
 }
 
+/**
+ * How far sweep `n` of `most` goes where masses are very unequal: at first and at last no further than each contact asks, up to `further`
+ * between. Friction answers to a load, and the load to it: taken further, one contact alone may go to and fro for ever.
+ */
+export function furthest(further: number, n: number, most: number): number {
+  return n < SWEEPS_PLAIN || n >= 0.9 * most ? 1 : further
+}
+
 /** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
 export function resolve(impacts: Impacts, scene: Scene): void {
   const { bodies, contacts } = scene
@@ -220,16 +235,18 @@ export function resolve(impacts: Impacts, scene: Scene): void {
   const unequal = scene.uneven > UNEVEN
   let further = unequal ? scene.relaxation : 1
   const slower = unequal ? Math.sqrt(scene.uneven) : 1
-  for (let n = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN)); n > 0; n--) {
+  const sweeps = Math.max(IMPACT_SWEEPS, Math.min(scene.uneven, SWEEPS_UNEVEN))
+  for (let n = 0; n < sweeps; n++) {
     // One contact alone is brought to its exact answer, a crowd to what its sub-steps can tell apart.
     const exact = impacts.count === 1
     const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
+    const reach = exact ? 1 : furthest(further, n, sweeps)
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
     const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
       const c = impacts.list[i]
-      hit(scene, c, further)
+      hit(scene, c, reach)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
       if (change > impacts.passOn) {

@@ -172,8 +172,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
         let may = fall + go
         if (again) {
           const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
-          may =
-            fall + (root === find(parent, i) ? Math.max(go, mine) : go + mine + (root > 0 ? reach[root] : 0))
+          may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue

@@ -1,6 +1,6 @@
 import { type Bodies, CORE, extents, halfExtents, narrowest, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
-import { SKIN, SKIN_SHARE, STEP } from './constants'
+import { SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
 
 /**
@@ -78,7 +78,11 @@ export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: 
     const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
       const near =
-        w === 0 ? box[k + 3] > walls.height : w === 1 ? box[k] < 0 : fits && box[k + 2] > walls.width
+        w === 0
+          ? box[k + 3] > walls.height - WALL_SKIN
+          : w === 1
+            ? box[k] < WALL_SKIN
+            : fits && box[k + 2] > walls.width - WALL_SKIN
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {

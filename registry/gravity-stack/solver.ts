@@ -253,7 +253,8 @@ function bounce(
       const k = c * CONTACT
       const a = pair[2 * c]
       const b = pair[2 * c + 1]
-      if (mark[a] === phase || mark[b] === phase) {
+      // A body that the next round will reach has been marked for that already.
+      if (mark[a] >= phase || mark[b] >= phase) {
         // What an impact sends off, or stops, may hit another within the same sub-step.
         if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
           const near = nearing(scene, c)

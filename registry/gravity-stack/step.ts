@@ -38,6 +38,7 @@ import {
   REFRESH_ROCKING,
   RELAXATION,
   ROOM_ROUNDS,
+  ROCKING,
   ROUNDS,
   RUNAWAY,
   SLOP,
@@ -71,7 +72,7 @@ import {
   SWEPT,
 } from './contacts'
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
-import { clearImpacts, Impacts } from './impacts'
+import { clearImpacts, furthest, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
 import { keepInBox, Pairs, updatePairs } from './pairs'
 import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
@@ -177,7 +178,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.lively = lively
-  simulation.loose = speed > CREEP && !lively ? REFRESH_ROCKING : REFRESH
+  simulation.loose = speed > ROCKING && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
@@ -214,8 +215,10 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
+    let further = simulation.relaxation
     let stirs = 1
     for (let k = 0; k < sweeps && stirs > 0; k++) {
+      if (crushing) simulation.relaxation = furthest(further, k, sweeps)
       for (let g = 0; g < grabbed.length; g++) {
         solveHold(bodies, grabbed[g]!, h, simulation.gravity)
         bodies.stirred[grabbed[g]!.body] = round + k - 1
@@ -223,7 +226,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
       stirs = sweep(simulation, live, c0, end, round + k)
       // Where friction or a third chip has a say, it may not converge.
       if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
-        simulation.relaxation = 1
+        simulation.relaxation = further = 1
       work[SWEPT]++
     }
     const active = move(simulation, islands.bodies, b0, b1)
@@ -361,6 +364,9 @@ function makeRoom(simulation: Simulation): void {
       simulation.cramped = 0
       return
     }
+    // A row between two walls that come nearer has room upwards only.
+    const worst = deepest(simulation, list, 0, count)
+    if (worst >= 0) lift(simulation, worst)
   }
 }
 
