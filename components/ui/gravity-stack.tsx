@@ -118,12 +118,12 @@ const MARGIN = 1.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 const AHEAD = 1.25
 /**
- * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip no slower than this, px/s,
- * and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
+ * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip faster than what gravity
+ * gives in this time, s, and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
  */
 const REFRESH = 0.5
 const REFRESH_ROCKING = 0.05
-const ROCKING = 1
+const ROCKING = 1 / GRAVITY
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
@@ -2803,7 +2803,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.lively = lively
-  simulation.loose = speed > ROCKING && !lively ? REFRESH_ROCKING : REFRESH
+  simulation.loose = speed > ROCKING * Math.abs(simulation.gravity) && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL

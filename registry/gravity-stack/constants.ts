@@ -100,12 +100,12 @@ export const MARGIN = 1.5
 /** Sub-steps ahead that a pair is looked for: a little more than one, as a body may gain speed in it. */
 export const AHEAD = 1.25
 /**
- * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip no slower than this, px/s,
- * and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
+ * px of relative motion after which a touching pair is measured again, the same where an island rocks, its fastest chip faster than what gravity
+ * gives in this time, s, and not lively, as arms that lag feed nearly round chips that rock, and that of a chip at a wall.
  */
 export const REFRESH = 0.5
 export const REFRESH_ROCKING = 0.05
-export const ROCKING = 1
+export const ROCKING = 1 / GRAVITY
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2

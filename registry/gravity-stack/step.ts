@@ -178,7 +178,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.lively = lively
-  simulation.loose = speed > ROCKING && !lively ? REFRESH_ROCKING : REFRESH
+  simulation.loose = speed > ROCKING * Math.abs(simulation.gravity) && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
