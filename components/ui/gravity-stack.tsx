@@ -129,7 +129,10 @@ const WALL_REFRESH = 0.001
 const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 const STANDING = 0.0005
-/** px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall that counts as near: it lets nobody by who is knocked. */
+/**
+ * px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall up to which the two are a pair: a
+ * chip that is knocked into a spin meets the wall within the step.
+ */
 const SKIN = 5
 const SKIN_SHARE = 0.1
 const WALL_SKIN = 20

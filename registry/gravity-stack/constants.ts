@@ -111,7 +111,10 @@ export const WALL_REFRESH = 0.001
 export const LOOSE = 2
 /** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
 export const STANDING = 0.0005
-/** px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall that counts as near: it lets nobody by who is knocked. */
+/**
+ * px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall up to which the two are a pair: a
+ * chip that is knocked into a spin meets the wall within the step.
+ */
 export const SKIN = 5
 export const SKIN_SHARE = 0.1
 export const WALL_SKIN = 20
