@@ -32,7 +32,12 @@ export function PlotTable({ name, label, unit }: { name: string; label: string; 
   }
 
   return (
-    <details className="mt-1 text-sm" onToggle={show}>
+    <details
+      className="mt-1 text-sm"
+      onToggle={show}
+      // It may have been opened before the script was there to hear of it.
+      ref={(details) => void (details?.open && !rows && show())}
+    >
       <summary className="w-fit cursor-pointer rounded-md px-1 py-1 text-muted-foreground hover:text-foreground">
         Figures<span className="sr-only">: {label}</span>
       </summary>
