@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs'
-import { expect } from '@playwright/test'
+import { test as early, expect } from '@playwright/test'
 import { test } from './alive'
 
 test.describe('benchmarks', () => {
@@ -202,4 +202,24 @@ test.describe('benchmarks', () => {
     const films = Array(3).fill('gravity-stack')
     expect(news.slice(0, news.indexOf('point'))).toEqual([...Array(12).fill(turn).flat(), ...films])
   })
+})
+
+early('figures that are opened before the script is there come with it', async ({ page }) => {
+  let letGo = () => {}
+  const held = new Promise<void>((resolve) => {
+    letGo = resolve
+  })
+  await page.route('**/*.js', async (route) => {
+    await held
+    await route.continue()
+  })
+  await page.goto('/benchmarks', { waitUntil: 'commit' })
+  const figure = page
+    .locator('figure')
+    .filter({ has: page.locator('summary') })
+    .first()
+  await figure.locator('summary').click()
+  await expect(figure.getByRole('link', { name: 'errors.csv' })).toBeVisible()
+  letGo()
+  await expect(figure.getByRole('row').nth(3)).toBeVisible()
 })
