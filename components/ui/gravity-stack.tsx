@@ -52,9 +52,9 @@ const SWEEPS_LIVELY = 8
 const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 const SWEEPS_UNEVEN = 300
-/** How many of these come before the first that is over-relaxed. */
-const SWEEPS_PLAIN = 8
 const UNEVEN = 20
+/** How many of those sweeps come before the first that is over-relaxed. */
+const SWEEPS_PLAIN = 8
 /** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 const SWEEP_BUDGET = 16_000
 /**

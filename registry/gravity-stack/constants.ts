@@ -34,9 +34,9 @@ export const SWEEPS_LIVELY = 8
 export const LIVELY = 100
 /** The same where an island has masses of a larger ratio than this. */
 export const SWEEPS_UNEVEN = 300
-/** How many of these come before the first that is over-relaxed. */
-export const SWEEPS_PLAIN = 8
 export const UNEVEN = 20
+/** How many of those sweeps come before the first that is over-relaxed. */
+export const SWEEPS_PLAIN = 8
 /** Contacts that the sweeps of a sub-step may visit in an island slower than `LIVELY`, but for its first `SWEEPS_LEAST`: a large pile spreads its sweeps over the frames. */
 export const SWEEP_BUDGET = 16_000
 /**
