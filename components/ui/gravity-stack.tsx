@@ -2727,8 +2727,11 @@ class Simulation extends Scene {
   energies: Float64Array = new Float64Array(4)
   /** Steps left in which room is made for what was pressed together. */
   cramped = 0
-  /** Number of the present sweep. */
+  /** Number of the first sweep of the present sub-step. */
   round = 0
+  /** px/s, speed of the fastest point of the present island when its step began, and whether very unequal masses fly about in it. */
+  speed = 0.5
+  crushing = false
 
   constructor(substeps: number, damping: number, spinDamping: number) {
     super()
@@ -2796,16 +2799,51 @@ function fly(simulation: Simulation, i: number): void {
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
   const { bodies, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
   const { live } = islands
-  let end = c0
+  const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
+  const held = grabbed.length > 0
   const speed = fastest(simulation, b0, b1)
-  const { uneven } = simulation
+  simulation.speed = speed
+  const sweeps = tune(simulation, c1 - c0, held)
+  const { relaxation } = simulation
+  // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
+  const dull = simulation.bounce < LIVELY_BOUNCE
+  const free = held || (dull && speed < LIVELY)
+  if (!free) weigh(simulation, b0, b1, 0)
+  warmStart(simulation, b0, b1, c0, c1, grabbed)
+  let end = c0
+  for (let n = 0; n < substeps; n++) {
+    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
+    simulation.relaxation = relaxation
+    clearImpacts(impacts)
+    if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
+    end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
+    kick(simulation, islands.bodies, b0, b1, air, spinAir, simulation.round)
+    const stirs = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
+    const active = move(simulation, islands.bodies, b0, b1)
+    work[SUBSTEPS_TAKEN]++
+    // In balance the other sub-steps would repeat this one.
+    if (active === 0 && (stirs === 0 || speed <= BALANCE) && !held) break
+  }
+  const deep = separate(simulation, live, c0, end)
+  if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
+  for (let n = b0; n < b1; n++) {
+    keepInBox(simulation, pairs, islands.bodies[n])
+    keepInside(simulation, islands.bodies[n])
+  }
+  if (!free) holdEnergy(simulation, dull, b0, b1)
+}
+
+/** Chooses how exactly an island of so many contacts is solved, by its speed and masses; returns the most sweeps of a sub-step. */
+function tune(simulation: Simulation, contactCount: number, held: boolean): number {
+  const { speed, uneven } = simulation
   const still = speed <= BALANCE
+  const lively = speed > LIVELY
   // A light chip under a heavy one hands a sweep's impulse on in tiny parts only.
   const unequal = uneven > UNEVEN
-  const lively = speed > LIVELY
-  const crushing = unequal && lively
   const most = Math.min(uneven, SWEEPS_UNEVEN)
   simulation.lively = lively
+  simulation.crushing = unequal && lively
   simulation.loose = speed > ROCKING * Math.abs(simulation.gravity) && !lively ? REFRESH_ROCKING : REFRESH
   simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
@@ -2813,63 +2851,55 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     : Math.max(
         TOLERANCE_LEAST,
         Math.min(TOLERANCE_MOST, (lively ? TOLERANCE_SHARE_LIVELY : TOLERANCE_SHARE) * speed),
-      ) / (crushing ? Math.sqrt(uneven) : 1)
+      ) / (simulation.crushing ? Math.sqrt(uneven) : 1)
   // Two contacts of one light chip are solved soonest with the root of the ratio: Young's optimal over-relaxation.
-  const relaxation = crushing
+  simulation.relaxation = simulation.crushing
     ? 2 / (1 + 1 / Math.sqrt(1 + most))
-    : c1 - c0 > CROWDED && speed > CREEP
+    : contactCount > CROWDED && speed > CREEP
       ? RELAXATION
       : 1
-  const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
   // A hand can press harder than any chip: what it does is solved to the end.
-  let sweeps =
-    grabbed.length > 0
-      ? SWEEPS
-      : lively
-        ? SWEEPS_LIVELY
-        : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / (c1 - c0))))
-  if (unequal) sweeps = Math.max(sweeps, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / (c1 - c0))))
-  // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
-  const dull = simulation.bounce < LIVELY_BOUNCE
-  const free = grabbed.length > 0 || (dull && speed < LIVELY)
-  if (!free) weigh(simulation, b0, b1, 0)
-  warmStart(simulation, b0, b1, c0, c1, grabbed)
-  for (let n = 0; n < substeps; n++) {
-    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
-    const { round } = simulation
-    clearImpacts(impacts)
-    simulation.relaxation = relaxation
-    if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
-    end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
-    kick(simulation, islands.bodies, b0, b1, air, spinAir, round)
-    let further = simulation.relaxation
-    let stirs = 1
-    for (let k = 0; k < sweeps && stirs > 0; k++) {
-      if (crushing) simulation.relaxation = furthest(further, k, sweeps)
-      for (let g = 0; g < grabbed.length; g++) {
-        solveHold(bodies, grabbed[g]!, h, simulation.gravity)
-        bodies.stirred[grabbed[g]!.body] = round + k - 1
-      }
-      stirs = sweep(simulation, live, c0, end, round + k)
-      // Where friction or a third chip has a say, it may not converge.
-      if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
-        simulation.relaxation = further = 1
-      work[SWEPT]++
+  const usual = held
+    ? SWEEPS
+    : lively
+      ? SWEEPS_LIVELY
+      : Math.max(SWEEPS_LEAST, Math.min(SWEEPS, Math.floor(SWEEP_BUDGET / contactCount)))
+  return unequal ? Math.max(usual, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / contactCount))) : usual
+}
+
+/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns how many the last sweep changed. */
+function converge(
+  simulation: Simulation,
+  sweeps: number,
+  grabbed: Hold[],
+  b0: number,
+  b1: number,
+  c0: number,
+  end: number,
+): number {
+  const { bodies, h, islands, round, crushing, speed, work } = simulation
+  const unequal = simulation.uneven > UNEVEN
+  let further = simulation.relaxation
+  let stirs = 1
+  for (let k = 0; k < sweeps && stirs > 0; k++) {
+    if (crushing) simulation.relaxation = furthest(further, k, sweeps)
+    for (let g = 0; g < grabbed.length; g++) {
+      solveHold(bodies, grabbed[g]!, h, simulation.gravity)
+      bodies.stirred[grabbed[g]!.body] = round + k - 1
     }
-    const active = move(simulation, islands.bodies, b0, b1)
-    work[SUBSTEPS_TAKEN]++
-    if (active === 0 && (stirs === 0 || still) && grabbed.length === 0) break
+    stirs = sweep(simulation, islands.live, c0, end, round + k)
+    // Where friction or a third chip has a say, it may not converge.
+    if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
+      simulation.relaxation = further = 1
+    work[SWEPT]++
   }
-  const deep = separate(simulation, live, c0, end)
-  if (speed <= JAMMED) unjam(simulation, deep, Math.max(PARTINGS, most), b0, b1, c0, end)
-  for (let n = b0; n < b1; n++) {
-    keepInBox(simulation, pairs, islands.bodies[n])
-    keepInside(simulation, islands.bodies[n])
-  }
-  if (free) return
+  return stirs
+}
+
+/** Takes the energy that the step has given an island out of all its velocities alike. */
+function holdEnergy(simulation: Simulation, dull: boolean, b0: number, b1: number): void {
   weigh(simulation, b0, b1, 2)
-  const { energies } = simulation
+  const { bodies, energies, islands } = simulation
   const moving = energies[2]
   const gain = Math.min(energies[3] - energies[1], dull ? moving - energies[0] : Infinity)
   if (!(gain > 0)) return
@@ -2880,20 +2910,13 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
 }
 
-/** Parts an island that its step has left `deep`, `most` times; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
-function unjam(
-  simulation: Simulation,
-  deep: number,
-  most: number,
-  b0: number,
-  b1: number,
-  c0: number,
-  end: number,
-): void {
+/** Parts an island that its step has left `deep`, as often as its masses ask; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
+function unjam(simulation: Simulation, deep: number, b0: number, b1: number, c0: number, end: number): void {
   const { live, bodies } = simulation.islands
   const { jams } = simulation.bodies
   let steps = 0
   for (let n = b0; n < b1; n++) steps = Math.max(steps, jams[bodies[n]])
+  const most = Math.max(PARTINGS, Math.min(simulation.uneven, SWEEPS_UNEVEN))
   const partings = steps < PATIENCE ? most : Math.max(most, PARTING_BUDGET / (end - c0))
   for (let n = partings; n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
   for (let n = b0; n < b1; n++) jams[bodies[n]] = deep > 0 ? steps + 1 : 0
