@@ -4,6 +4,19 @@ import { test as base, type Page } from '@playwright/test'
 export const alive = (page: Page) =>
   page.waitForFunction(() => Object.keys(document).some((key) => key.startsWith('__reactContainer')))
 
+/** Holds back the scripts of a page until what it returns is called. */
+export async function withhold(page: Page, scripts: string) {
+  let letCome = () => {}
+  const called = new Promise<void>((resolve) => {
+    letCome = resolve
+  })
+  await page.route(scripts, async (route) => {
+    await called
+    await route.continue()
+  })
+  return letCome
+}
+
 /** With pages that answer to a press as soon as `goto` and `reload` come back. */
 export const test = base.extend({
   page: async ({ page, javaScriptEnabled }, use) => {

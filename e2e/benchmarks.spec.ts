@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { test as early, expect } from '@playwright/test'
-import { test } from './alive'
+import { test, withhold } from './alive'
 
 test.describe('benchmarks', () => {
   test('every plot has its figures as a table', async ({ page }) => {
@@ -205,14 +205,7 @@ test.describe('benchmarks', () => {
 })
 
 early('figures that are opened before the script is there come with it', async ({ page }) => {
-  let letGo = () => {}
-  const held = new Promise<void>((resolve) => {
-    letGo = resolve
-  })
-  await page.route('**/*.js', async (route) => {
-    await held
-    await route.continue()
-  })
+  const letCome = await withhold(page, '**/*.js')
   await page.goto('/benchmarks', { waitUntil: 'commit' })
   const figure = page
     .locator('figure')
@@ -220,6 +213,6 @@ early('figures that are opened before the script is there come with it', async (
     .first()
   await figure.locator('summary').click()
   await expect(figure.getByRole('link', { name: 'errors.csv' })).toBeVisible()
-  letGo()
+  letCome()
   await expect(figure.getByRole('row').nth(3)).toBeVisible()
 })

@@ -1,5 +1,6 @@
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
+import { withhold } from './alive'
 import { expect, type StagePage, test } from './fixtures/stage'
 
 /** Every chip upright, unmoved, inside the stage, none over another, all above the bottom padding. */
@@ -57,21 +58,14 @@ test.describe('with reduced motion', () => {
     stage,
     page,
   }) => {
-    let arrive = () => {}
-    const called = new Promise<void>((resolve) => {
-      arrive = resolve
-    })
-    await page.route('**/client-*.js', async (route) => {
-      await called
-      await route.continue()
-    })
+    const letCome = await withhold(page, '**/client-*.js')
     await page.goto('/pile', { waitUntil: 'commit' })
     await expect(stage.chips).toHaveCount(12)
     await expect.poll(() => readable(page)).toEqual(row)
     const boxes = () =>
       stage.chips.evaluateAll((all) => all.map((chip) => JSON.stringify(chip.getBoundingClientRect())))
     const before = await boxes()
-    arrive()
+    letCome()
     await begun(stage)
     expect(await boxes()).toEqual(before)
     await stage.reaches('static')

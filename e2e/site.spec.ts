@@ -3,7 +3,7 @@ import { gzipSync } from 'node:zlib'
 import AxeBuilder from '@axe-core/playwright'
 import { expect, type Locator, type Page, type Response } from '@playwright/test'
 import { TOUCH_HOLD } from '../registry/gravity-stack/constants'
-import { alive, test } from './alive'
+import { alive, test, withhold } from './alive'
 
 const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
 const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
@@ -383,19 +383,12 @@ test('the theme follows the system while nobody has pressed the switch', async (
 
 test('a change of the system while the page loads is not missed', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' })
-  let letArrive = () => {}
-  const arrives = new Promise<void>((resolve) => {
-    letArrive = resolve
-  })
-  await page.route('**/*.js', async (route) => {
-    await arrives
-    await route.continue()
-  })
+  const letCome = await withhold(page, '**/*.js')
   const loaded = page.goto('/docs/setup')
   await expect(page.getByRole('heading', { level: 1, name: 'Setup' })).toBeVisible()
   await expect(page.locator('html')).not.toHaveClass(/dark/)
   await page.emulateMedia({ colorScheme: 'dark' })
-  letArrive()
+  letCome()
   await loaded
   await expect(page.locator('html')).toHaveClass(/dark/)
 })
