@@ -141,7 +141,7 @@ const WALL_SKIN = 20
 const IMPACT_TOLERANCE = 2
 const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
-const IMPACT_ROUNDS_DULL = 3
+const IMPACT_ROUNDS_DULL = 4
 const IMPACT_ROUNDS = 6
 /** Restitution from which that is so, and from which a step is held to the energy that it began with. */
 const LIVELY_BOUNCE = 0.5
@@ -151,6 +151,8 @@ const IMPACT_SWEEPS = 24
 const IMPACT_SPREAD = 5
 const IMPACT_SPREAD_SHARE = 0.1
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
+const IMPACT_NEAR = 0.2
+/** px that are left when the first of two hits comes, up to which they count as one. */
 const IMPACT_TOUCH = 0.05
 
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
@@ -1052,7 +1054,7 @@ const SECOND = 7
 /** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
 const K12 = 22
 const INV_DET = 23
-/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
+/** Points that carry a load lie on one line along the tangent, so that one row of friction serves both exactly. */
 const TA = 24
 const TB = 25
 const DRAG = 26
@@ -1274,6 +1276,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const im = ima + imb
   const na1 = touch[AX] * ny - touch[AY] * nx
   const nb1 = touch[BX] * ny - touch[BY] * nx
+  let gap = touch[GAP]
   let ta = touch[AX] * nx + touch[AY] * ny
   let tb = touch[BX] * nx + touch[BY] * ny
   const across = nx * dx + ny * dy
@@ -1288,8 +1291,12 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   if (count > 1) {
     const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
     const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
-    ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
-    tb = (tb + touch[POINT + BX] * nx + touch[POINT + BY] * ny) / 2
+    // Friction acts where the load is, and without any where the two are nearer: the other end may be pixels away.
+    const whole = d[k + LOAD] + d[k + SECOND + LOAD]
+    const share = whole > 0 ? d[k + SECOND + LOAD] / whole : touch[POINT + GAP] < gap ? 1 : 0
+    ta += share * (touch[POINT + AX] * nx + touch[POINT + AY] * ny - ta)
+    tb += share * (touch[POINT + BX] * nx + touch[POINT + BY] * ny - tb)
+    gap += share * (touch[POINT + GAP] - gap)
     const k22 = im + iia * na2 * na2 + iib * nb2 * nb2
     const k12 = im + iia * na1 * na2 + iib * nb1 * nb2
     const det = k11 * k22 - k12 * k12
@@ -1303,9 +1310,8 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   }
   if (a > 0) {
     // Friction acts midway between the two surfaces: across a gap it would turn what it pushes.
-    const half = (touch[GAP] + touch[count > 1 ? POINT + GAP : GAP]) / 4
-    ta += half
-    tb -= half
+    ta += gap / 2
+    tb -= gap / 2
   }
   d[k + TA] = ta
   d[k + TB] = tb
@@ -1560,10 +1566,14 @@ function overlap(box: Float64Array, i: number, j: number): boolean {
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
 class Impacts {
-  /** Contacts of the cluster under way. */
+  /** Contacts that will hit, in the order of their times, s. */
+  found: Int32Array = new Int32Array(2)
+  times: Float64Array = new Float64Array(2)
+  foundCount = 0
+  /** Contacts of the cluster under way: those of them that come first, and what these spread to. */
   list: Int32Array = new Int32Array(2)
   count = 0
-  /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
+  /** Bodies it reached; of each body its velocities before (3 each) and the time of its first impact, s. */
   bodies: Int32Array = new Int32Array(1)
   bodyCount = 0
   before: Float64Array = new Float64Array(3)
@@ -1657,11 +1667,10 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
       continue
     }
     impacts.mark[i] = impacts.phase
-    const n = impacts.bodyCount++
-    impacts.bodies[n] = i
+    impacts.bodies[impacts.bodyCount++] = i
     impacts.when[i] = when
     for (let axis = 0; axis < 3; axis++)
-      impacts.before[n * 3 + axis] = scene.bodies.state[i * STATE + VX + axis]
+      impacts.before[i * 3 + axis] = scene.bodies.state[i * STATE + VX + axis]
   }
 }
 
@@ -1686,8 +1695,9 @@ function measureAt(scene: Scene, c: number, time: number, widest: number): void 
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
-/** Empties the cluster for a new sub-step. */
+/** Forgets what will hit, and what has, for a new round. */
 function clearImpacts(impacts: Impacts): void {
+  impacts.foundCount = 0
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
@@ -1705,7 +1715,7 @@ function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, 
   return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
 }
 
-/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, joins the cluster if one of its points will hit. */
+/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, is found if one of its points will hit. */
 function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): void {
   if (!foresee(impacts, scene, c)) return
   let hits = true
@@ -1718,7 +1728,35 @@ function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): vo
   }
   if (!hits) return
   impacts.fastest = Math.max(impacts.fastest, ahead.speed)
-  enlist(impacts, scene, c, ahead.time)
+  if (impacts.foundCount >= impacts.found.length) {
+    impacts.found = grown(impacts.found, impacts.foundCount * 2)
+    impacts.times = grown(impacts.times, impacts.foundCount * 2)
+  }
+  const { found, times } = impacts
+  let n = impacts.foundCount++
+  for (; n > 0 && times[n - 1] > ahead.time; n--) {
+    found[n] = found[n - 1]
+    times[n] = times[n - 1]
+  }
+  found[n] = c
+  times[n] = ahead.time
+  scene.contacts.mark[c] = impacts.phase
+}
+
+/** Of two hits of one body the later is put off to the next round, if there is one: the first changes what comes of it. */
+function enlistFirst(impacts: Impacts, scene: Scene, last: boolean): void {
+  const phase = ++impacts.phase
+  const { found, foundCount, times, when, mark } = impacts
+  const { pair } = scene.contacts
+  const slack = last ? Infinity : IMPACT_TOUCH / impacts.fastest
+  for (let n = 0; n < foundCount; n++) {
+    const c = found[n]
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const before = times[n] - slack
+    if ((mark[a] === phase && when[a] < before) || (mark[b] === phase && when[b] < before)) continue
+    enlist(impacts, scene, c, times[n])
+  }
 }
 
 /**
@@ -1729,8 +1767,12 @@ function furthest(further: number, n: number, most: number): number {
   return n < SWEEPS_PLAIN || n >= 0.9 * most ? 1 : further
 }
 
-/** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-function resolve(impacts: Impacts, scene: Scene): void {
+/**
+ * Sweeps over those that hit first, in the `last` round over all, until they stand still; the cluster grows to the neighbours that the
+ * impact reaches.
+ */
+function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
+  enlistFirst(impacts, scene, last)
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
@@ -1768,7 +1810,7 @@ function resolve(impacts: Impacts, scene: Scene): void {
     const i = impacts.bodies[n]
     for (let axis = 0; axis < 3; axis++) {
       const s = i * STATE + axis
-      state[s] -= (state[s + VX] - impacts.before[n * 3 + axis]) * impacts.when[i]
+      state[s] -= (state[s + VX] - impacts.before[i * 3 + axis]) * impacts.when[i]
     }
     impacts.since[i] = impacts.first + impacts.when[i] / scene.h
   }
@@ -1842,15 +1884,40 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
       continue
     let struck = false
-    d[k + SECOND + GOAL] = -Infinity
+    // What has been put off hits now, as it would have.
+    const found = contacts.mark[c] === impacts.phase - 1
+    if (!found) d[k + SECOND + GOAL] = -Infinity
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(bodies, contacts, c, p)
-      const near = touch[GAP_NOW] < IMPACT_TOUCH
-      d[p + GOAL] = near ? 0 : -Infinity
+      // Where they are by then: what has parted again since it was hit in this sub-step is no neighbour any more.
+      const near = touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
+      if (!found) d[p + GOAL] = near ? 0 : -Infinity
       if (near && touch[RATE_NOW] < -impacts.passOn) struck = true
     }
     if (struck) enlist(impacts, scene, c, impacts.when[i])
   }
+}
+
+/** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */
+function rateBefore(
+  { mark, phase, before }: Impacts,
+  { bodies, contacts }: Scene,
+  c: number,
+  p: number,
+): number {
+  const { data: d, pair } = contacts
+  const k = c * CONTACT
+  let rate = 0
+  for (let side = 0; side < 2; side++) {
+    const i = pair[2 * c + side]
+    const struck = mark[i] === phase
+    const velocity = struck ? before : bodies.state
+    const v = struck ? i * 3 : i * STATE + VX
+    const arm = d[p + (side > 0 ? NB : NA)]
+    rate +=
+      (side > 0 ? 1 : -1) * (d[k + NX] * velocity[v] + d[k + NY] * velocity[v + 1] + arm * velocity[v + 2])
+  }
+  return rate
 }
 
 /** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
@@ -1867,7 +1934,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
     const inertia = 1 / state[s + INV_INERTIA]
     for (let axis = 0; axis < 3; axis++) {
       const weight = axis < 2 ? m : inertia
-      const before = impacts.before[n * 3 + axis]
+      const before = impacts.before[i * 3 + axis]
       const change = state[s + VX + axis] - before
       // Velocities change on the way to the impact: energy counts at its time.
       const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
@@ -1879,9 +1946,10 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
   if (linear + 0.5 * square <= 0 || square === 0) return
   const share = Math.max(0, (-2 * linear) / square)
   for (let n = 0; n < impacts.bodyCount; n++) {
-    const s = impacts.bodies[n] * STATE
+    const i = impacts.bodies[n]
+    const s = i * STATE
     for (let axis = 0; axis < 3; axis++) {
-      const before = impacts.before[n * 3 + axis]
+      const before = impacts.before[i * 3 + axis]
       state[s + VX + axis] = before + share * (state[s + VX + axis] - before)
     }
   }
@@ -2022,7 +2090,7 @@ function prepare(
     }
     close(scene, c)
   }
-  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to) : end
+  return impacts.foundCount > 0 ? bounce(scene, impacts, list, live, from, to) : end
 }
 
 /** Resolves the impacts that `prepare` found among the contacts `list[from..to)`; lists those that now touch in `live` and returns where they end. */
@@ -2038,9 +2106,9 @@ function bounce(
   const { data: d, pair } = contacts
   const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
   for (let again = 1; ; again++) {
-    resolve(impacts, scene)
-    const { mark, phase } = impacts
     const last = again === rounds
+    resolve(impacts, scene, last)
+    const { mark, phase } = impacts
     if (!last) clearImpacts(impacts)
     let end = from
     for (let n = from; n < to; n++) {
@@ -2050,8 +2118,8 @@ function bounce(
       const b = pair[2 * c + 1]
       // A body that the next round will reach has been marked for that already.
       if (mark[a] >= phase || mark[b] >= phase) {
-        // What an impact sends off, or stops, may hit another within the same sub-step.
-        if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+        // What an impact sends off, or stops, may hit another within the same sub-step, and what has been put off may hit still.
+        if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
           if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
         }
@@ -2059,7 +2127,7 @@ function bounce(
       }
       if (d[k + POINTS] > 0) live[end++] = c
     }
-    if (last || impacts.count === 0) return end
+    if (last || impacts.foundCount === 0) return end
   }
 }
 
@@ -2108,8 +2176,8 @@ function close(scene: Scene, c: number): void {
           0.5 *
           (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
             ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
-            d[k + NB] * m[mb + PUSH_SPIN] -
-            d[k + NA] * m[ma + PUSH_SPIN])
+            d[p + NB] * m[mb + PUSH_SPIN] -
+            d[p + NA] * m[ma + PUSH_SPIN])
         // No faster apart than this: the push of a chip that was crushed is over by then, and would be given back doubled.
         if (closing < -LIVELY) closing = -LIVELY
       }

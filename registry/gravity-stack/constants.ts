@@ -123,7 +123,7 @@ export const WALL_SKIN = 20
 export const IMPACT_TOLERANCE = 2
 export const IMPACT_SHARE = 0.1
 /** Rounds of impacts in a sub-step: what is hit may hit another. Of lively chips, from this restitution up, more bounces are told apart. */
-export const IMPACT_ROUNDS_DULL = 3
+export const IMPACT_ROUNDS_DULL = 4
 export const IMPACT_ROUNDS = 6
 /** Restitution from which that is so, and from which a step is held to the energy that it began with. */
 export const LIVELY_BOUNCE = 0.5
@@ -133,6 +133,8 @@ export const IMPACT_SWEEPS = 24
 export const IMPACT_SPREAD = 5
 export const IMPACT_SPREAD_SHARE = 0.1
 /** px, gap up to which a neighbour counts as touching when an impact is passed on. */
+export const IMPACT_NEAR = 0.2
+/** px that are left when the first of two hits comes, up to which they count as one. */
 export const IMPACT_TOUCH = 0.05
 
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */

@@ -75,7 +75,7 @@ export const SECOND = 7
 /** Coupling of the two points, and 1 / det K, 0 where the two are nearly one. */
 export const K12 = 22
 export const INV_DET = 23
-/** Both points lie on one line along the tangent, so that one row of friction serves both exactly. */
+/** Points that carry a load lie on one line along the tangent, so that one row of friction serves both exactly. */
 export const TA = 24
 export const TB = 25
 export const DRAG = 26
@@ -297,6 +297,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const im = ima + imb
   const na1 = touch[AX] * ny - touch[AY] * nx
   const nb1 = touch[BX] * ny - touch[BY] * nx
+  let gap = touch[GAP]
   let ta = touch[AX] * nx + touch[AY] * ny
   let tb = touch[BX] * nx + touch[BY] * ny
   const across = nx * dx + ny * dy
@@ -311,8 +312,12 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   if (count > 1) {
     const na2 = touch[POINT + AX] * ny - touch[POINT + AY] * nx
     const nb2 = touch[POINT + BX] * ny - touch[POINT + BY] * nx
-    ta = (ta + touch[POINT + AX] * nx + touch[POINT + AY] * ny) / 2
-    tb = (tb + touch[POINT + BX] * nx + touch[POINT + BY] * ny) / 2
+    // Friction acts where the load is, and without any where the two are nearer: the other end may be pixels away.
+    const whole = d[k + LOAD] + d[k + SECOND + LOAD]
+    const share = whole > 0 ? d[k + SECOND + LOAD] / whole : touch[POINT + GAP] < gap ? 1 : 0
+    ta += share * (touch[POINT + AX] * nx + touch[POINT + AY] * ny - ta)
+    tb += share * (touch[POINT + BX] * nx + touch[POINT + BY] * ny - tb)
+    gap += share * (touch[POINT + GAP] - gap)
     const k22 = im + iia * na2 * na2 + iib * nb2 * nb2
     const k12 = im + iia * na1 * na2 + iib * nb1 * nb2
     const det = k11 * k22 - k12 * k12
@@ -326,9 +331,8 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   }
   if (a > 0) {
     // Friction acts midway between the two surfaces: across a gap it would turn what it pushes.
-    const half = (touch[GAP] + touch[count > 1 ? POINT + GAP : GAP]) / 4
-    ta += half
-    tb -= half
+    ta += gap / 2
+    tb -= gap / 2
   }
   d[k + TA] = ta
   d[k + TB] = tb

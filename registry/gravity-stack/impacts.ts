@@ -15,6 +15,7 @@ import {
 } from './body'
 import { GAP_NOW, RATE_NOW, touch, WIDEST } from './collide'
 import {
+  IMPACT_NEAR,
   IMPACT_SHARE,
   IMPACT_SPREAD,
   IMPACT_SPREAD_SHARE,
@@ -55,10 +56,14 @@ import {
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
 export class Impacts {
-  /** Contacts of the cluster under way. */
+  /** Contacts that will hit, in the order of their times, s. */
+  found: Int32Array = new Int32Array(2)
+  times: Float64Array = new Float64Array(2)
+  foundCount = 0
+  /** Contacts of the cluster under way: those of them that come first, and what these spread to. */
   list: Int32Array = new Int32Array(2)
   count = 0
-  /** Bodies it reached: their velocities before (3 each) and the time of their first impact, s. */
+  /** Bodies it reached; of each body its velocities before (3 each) and the time of its first impact, s. */
   bodies: Int32Array = new Int32Array(1)
   bodyCount = 0
   before: Float64Array = new Float64Array(3)
@@ -152,11 +157,10 @@ function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
       continue
     }
     impacts.mark[i] = impacts.phase
-    const n = impacts.bodyCount++
-    impacts.bodies[n] = i
+    impacts.bodies[impacts.bodyCount++] = i
     impacts.when[i] = when
     for (let axis = 0; axis < 3; axis++)
-      impacts.before[n * 3 + axis] = scene.bodies.state[i * STATE + VX + axis]
+      impacts.before[i * 3 + axis] = scene.bodies.state[i * STATE + VX + axis]
   }
 }
 
@@ -181,8 +185,9 @@ function measureAt(scene: Scene, c: number, time: number, widest: number): void 
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
-/** Empties the cluster for a new sub-step. */
+/** Forgets what will hit, and what has, for a new round. */
 export function clearImpacts(impacts: Impacts): void {
+  impacts.foundCount = 0
   impacts.count = 0
   impacts.bodyCount = 0
   impacts.phase++
@@ -200,7 +205,7 @@ function hitBefore({ since, first }: Impacts, { contacts: { pair }, h }: Scene, 
   return h * Math.max(0, since[pair[2 * c]] - first, since[pair[2 * c + 1]] - first)
 }
 
-/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, joins the cluster if one of its points will hit. */
+/** Contact `c`, whose bodies may come nearer by `way` px in the sub-step, is found if one of its points will hit. */
 export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): void {
   if (!foresee(impacts, scene, c)) return
   let hits = true
@@ -213,7 +218,35 @@ export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: numb
   }
   if (!hits) return
   impacts.fastest = Math.max(impacts.fastest, ahead.speed)
-  enlist(impacts, scene, c, ahead.time)
+  if (impacts.foundCount >= impacts.found.length) {
+    impacts.found = grown(impacts.found, impacts.foundCount * 2)
+    impacts.times = grown(impacts.times, impacts.foundCount * 2)
+  }
+  const { found, times } = impacts
+  let n = impacts.foundCount++
+  for (; n > 0 && times[n - 1] > ahead.time; n--) {
+    found[n] = found[n - 1]
+    times[n] = times[n - 1]
+  }
+  found[n] = c
+  times[n] = ahead.time
+  scene.contacts.mark[c] = impacts.phase
+}
+
+/** Of two hits of one body the later is put off to the next round, if there is one: the first changes what comes of it. */
+function enlistFirst(impacts: Impacts, scene: Scene, last: boolean): void {
+  const phase = ++impacts.phase
+  const { found, foundCount, times, when, mark } = impacts
+  const { pair } = scene.contacts
+  const slack = last ? Infinity : IMPACT_TOUCH / impacts.fastest
+  for (let n = 0; n < foundCount; n++) {
+    const c = found[n]
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const before = times[n] - slack
+    if ((mark[a] === phase && when[a] < before) || (mark[b] === phase && when[b] < before)) continue
+    enlist(impacts, scene, c, times[n])
+  }
 }
 
 /**
@@ -224,8 +257,12 @@ export function furthest(further: number, n: number, most: number): number {
   return n < SWEEPS_PLAIN || n >= 0.9 * most ? 1 : further
 }
 
-/** Sweeps over the cluster until it stands still; it grows to the neighbours that the impact reaches. */
-export function resolve(impacts: Impacts, scene: Scene): void {
+/**
+ * Sweeps over those that hit first, in the `last` round over all, until they stand still; the cluster grows to the neighbours that the
+ * impact reaches.
+ */
+export function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
+  enlistFirst(impacts, scene, last)
   const { bodies, contacts } = scene
   const state = bodies.state
   const d = contacts.data
@@ -263,7 +300,7 @@ export function resolve(impacts: Impacts, scene: Scene): void {
     const i = impacts.bodies[n]
     for (let axis = 0; axis < 3; axis++) {
       const s = i * STATE + axis
-      state[s] -= (state[s + VX] - impacts.before[n * 3 + axis]) * impacts.when[i]
+      state[s] -= (state[s + VX] - impacts.before[i * 3 + axis]) * impacts.when[i]
     }
     impacts.since[i] = impacts.first + impacts.when[i] / scene.h
   }
@@ -337,15 +374,40 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
       continue
     let struck = false
-    d[k + SECOND + GOAL] = -Infinity
+    // What has been put off hits now, as it would have.
+    const found = contacts.mark[c] === impacts.phase - 1
+    if (!found) d[k + SECOND + GOAL] = -Infinity
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(bodies, contacts, c, p)
-      const near = touch[GAP_NOW] < IMPACT_TOUCH
-      d[p + GOAL] = near ? 0 : -Infinity
+      // Where they are by then: what has parted again since it was hit in this sub-step is no neighbour any more.
+      const near = touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
+      if (!found) d[p + GOAL] = near ? 0 : -Infinity
       if (near && touch[RATE_NOW] < -impacts.passOn) struck = true
     }
     if (struck) enlist(impacts, scene, c, impacts.when[i])
   }
+}
+
+/** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */
+function rateBefore(
+  { mark, phase, before }: Impacts,
+  { bodies, contacts }: Scene,
+  c: number,
+  p: number,
+): number {
+  const { data: d, pair } = contacts
+  const k = c * CONTACT
+  let rate = 0
+  for (let side = 0; side < 2; side++) {
+    const i = pair[2 * c + side]
+    const struck = mark[i] === phase
+    const velocity = struck ? before : bodies.state
+    const v = struck ? i * 3 : i * STATE + VX
+    const arm = d[p + (side > 0 ? NB : NA)]
+    rate +=
+      (side > 0 ? 1 : -1) * (d[k + NX] * velocity[v] + d[k + NY] * velocity[v + 1] + arm * velocity[v + 2])
+  }
+  return rate
 }
 
 /** An impact never gains energy: should unfinished sweeps or friction have made some, all impulses shrink alike. */
@@ -362,7 +424,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
     const inertia = 1 / state[s + INV_INERTIA]
     for (let axis = 0; axis < 3; axis++) {
       const weight = axis < 2 ? m : inertia
-      const before = impacts.before[n * 3 + axis]
+      const before = impacts.before[i * 3 + axis]
       const change = state[s + VX + axis] - before
       // Velocities change on the way to the impact: energy counts at its time.
       const gained = part * (motion[i * MOTION + PUSH_X + axis] + (axis === 1 ? scene.gravity * h : 0))
@@ -374,9 +436,10 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
   if (linear + 0.5 * square <= 0 || square === 0) return
   const share = Math.max(0, (-2 * linear) / square)
   for (let n = 0; n < impacts.bodyCount; n++) {
-    const s = impacts.bodies[n] * STATE
+    const i = impacts.bodies[n]
+    const s = i * STATE
     for (let axis = 0; axis < 3; axis++) {
-      const before = impacts.before[n * 3 + axis]
+      const before = impacts.before[i * 3 + axis]
       state[s + VX + axis] = before + share * (state[s + VX + axis] - before)
     }
   }

@@ -227,7 +227,7 @@ export function prepare(
     }
     close(scene, c)
   }
-  return impacts.count > 0 ? bounce(scene, impacts, list, live, from, to) : end
+  return impacts.foundCount > 0 ? bounce(scene, impacts, list, live, from, to) : end
 }
 
 /** Resolves the impacts that `prepare` found among the contacts `list[from..to)`; lists those that now touch in `live` and returns where they end. */
@@ -243,9 +243,9 @@ function bounce(
   const { data: d, pair } = contacts
   const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
   for (let again = 1; ; again++) {
-    resolve(impacts, scene)
-    const { mark, phase } = impacts
     const last = again === rounds
+    resolve(impacts, scene, last)
+    const { mark, phase } = impacts
     if (!last) clearImpacts(impacts)
     let end = from
     for (let n = from; n < to; n++) {
@@ -255,8 +255,8 @@ function bounce(
       const b = pair[2 * c + 1]
       // A body that the next round will reach has been marked for that already.
       if (mark[a] >= phase || mark[b] >= phase) {
-        // What an impact sends off, or stops, may hit another within the same sub-step.
-        if (!last && d[k + LOAD] + d[k + SECOND + LOAD] === 0) {
+        // What an impact sends off, or stops, may hit another within the same sub-step, and what has been put off may hit still.
+        if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
           if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
         }
@@ -264,7 +264,7 @@ function bounce(
       }
       if (d[k + POINTS] > 0) live[end++] = c
     }
-    if (last || impacts.count === 0) return end
+    if (last || impacts.foundCount === 0) return end
   }
 }
 
@@ -313,8 +313,8 @@ function close(scene: Scene, c: number): void {
           0.5 *
           (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
             ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
-            d[k + NB] * m[mb + PUSH_SPIN] -
-            d[k + NA] * m[ma + PUSH_SPIN])
+            d[p + NB] * m[mb + PUSH_SPIN] -
+            d[p + NA] * m[ma + PUSH_SPIN])
         // No faster apart than this: the push of a chip that was crushed is over by then, and would be given back doubled.
         if (closing < -LIVELY) closing = -LIVELY
       }
