@@ -257,11 +257,7 @@ describe('within one sub-step', () => {
   it('a pill that comes down nearly flat hits with its lower end first, and turns as in sub-steps an eighth as long', () => {
     for (const angle of [0.02, 0.05, 0.1, -0.1]) {
       const pill = { width: 47, height: 28, radius: 14, x: 320, y: 300, angle, vy: 1280 }
-      const [as, fine] = [6, 48].map((substeps) => {
-        const { world, ids } = worldOf([pill], { substeps })
-        run(world, 2 * frame)
-        return world.read(ids[0])
-      })
+      const [[as], [fine]] = afterTwoFrames([pill], stage)
       expect(Math.abs(as.spin - fine.spin), `at ${angle} rad`).toBeLessThan(0.3)
       expect(Math.hypot(as.vx - fine.vx, as.vy - fine.vy), `at ${angle} rad`).toBeLessThan(5)
     }
@@ -293,6 +289,57 @@ describe('within one sub-step', () => {
       expect(vx, `at ${angle} rad`).toBeCloseTo((share * push) / mass, 6)
       expect(spin, `at ${angle} rad`).toBeCloseTo((-push * (x + share * y)) / inertia, 6)
     }
+  })
+
+  it('a pill that hits another chip and then the floor is turned by the first hit before it comes to the second', () => {
+    const chips = [
+      {
+        width: 47,
+        height: 29,
+        radius: 14.5,
+        x: 385.33,
+        y: 411.86,
+        angle: 4.4475,
+        vx: -245.4,
+        vy: 1997.3,
+        spin: 1.13,
+      },
+      { width: 374, height: 10, radius: 5, x: 189.95, y: 439, angle: 0 },
+    ]
+    const [as, fine] = afterTwoFrames(chips, { width: 880, height: 444 })
+    expect(fine[0].spin).toBeGreaterThan(12)
+    expect(Math.abs(as[0].spin - fine[0].spin)).toBeLessThan(1)
+    expect(Math.hypot(as[0].vx - fine[0].vx, as[0].vy - fine[0].vy)).toBeLessThan(20)
+  })
+
+  it('a chip that has parted from another feels nothing of what that one hits next', () => {
+    const chips = [
+      {
+        width: 49,
+        height: 75,
+        radius: 24.5,
+        x: 813.814,
+        y: 539.404,
+        angle: 1.33631,
+        vx: -220.43,
+        vy: -131.29,
+        spin: -8.057,
+      },
+      {
+        width: 39,
+        height: 16,
+        radius: 8,
+        x: 775.72,
+        y: 500.104,
+        angle: 0.951707,
+        vx: -167.05,
+        vy: 1024.71,
+        spin: 0.348,
+      },
+    ]
+    const [as, fine] = afterTwoFrames(chips, { width: 885, height: 567 })
+    expect(Math.abs(as[1].spin - fine[1].spin)).toBeLessThan(0.5)
+    expect(Math.hypot(as[1].vx - fine[1].vx, as[1].vy - fine[1].vy)).toBeLessThan(10)
   })
 
   it('a pill that is struck into a spin above the floor meets the floor with its end, and is not pressed into what struck it', () => {
@@ -374,6 +421,15 @@ it('a chip that falls ever faster meets the floor in the step that takes it ther
     }
   }
 })
+
+/** What chips in a stage of this size come to in two frames, in usual sub-steps and in ones an eighth as long. */
+function afterTwoFrames(chips: Chip[], size: { width: number; height: number }) {
+  return [6, 48].map((substeps) => {
+    const { world, ids } = worldOf(chips, { ...size, substeps })
+    run(world, 2 * frame)
+    return readAll(world, ids)
+  })
+}
 
 /** px, the deepest that these chips are in each other or a wall after any of the first frames. */
 function deepest(chips: Chip[], frames = 8) {
