@@ -48,7 +48,8 @@ function asked(scene: FuzzScene) {
     recovery: untouched && still && gravity >= 0,
     asleep: calm && fits && even,
     overlap: fits && even,
-    hanging: gravity > 0,
+    // Where gravity is turned off what floats stays where it is.
+    hanging: gravity > 0 && acts.every((act) => act.do !== 'configure' || act.gravity > 0),
   }
 }
 
