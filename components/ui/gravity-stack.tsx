@@ -87,7 +87,7 @@ const BALANCE_GAIN = 4
 /** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
 const TOLERANCE_STILL = 0.003
 
-/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
+/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it; where gravity is more than usual it grows alike. */
 const MISJUDGED = 50
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */
@@ -2341,6 +2341,7 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
   const { state, motion, shape } = scene.bodies
   const { gravity, h } = scene
   const least = BALANCE_GAIN * h
+  const misjudged = MISJUDGED * Math.max(1, Math.abs(gravity) / GRAVITY)
   let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -2354,7 +2355,7 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
     const dSpin = spin - motion[m + KICK_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
     // Where the warm start was far off, as after an impact, nothing acted evenly: it counts in full as well.
-    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > MISJUDGED ? 0.5 * h : 0
+    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > misjudged ? 0.5 * h : 0
     state[s + X] += motion[m + DRIFT_X] + h * dvx + whole * motion[m + PUSH_X]
     state[s + Y] += motion[m + DRIFT_Y] + h * dvy + whole * motion[m + PUSH_Y]
     state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin + whole * motion[m + PUSH_SPIN]

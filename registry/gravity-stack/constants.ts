@@ -69,7 +69,7 @@ export const BALANCE_GAIN = 4
 /** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
 export const TOLERANCE_STILL = 0.003
 
-/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it. */
+/** px/s, change of velocity by the sweeps beyond which the warm start of a body counts as wrong for it; where gravity is more than usual it grows alike. */
 export const MISJUDGED = 50
 
 /** px, overlap that the position sweep leaves alone, so that contacts don't flicker. */

@@ -39,6 +39,7 @@ import {
   CLOSING_SHARE,
   CRUSHED,
   DEEP,
+  GRAVITY,
   IMPACT_ROUNDS,
   IMPACT_ROUNDS_DULL,
   LIVELY,
@@ -478,6 +479,7 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
   const { state, motion, shape } = scene.bodies
   const { gravity, h } = scene
   const least = BALANCE_GAIN * h
+  const misjudged = MISJUDGED * Math.max(1, Math.abs(gravity) / GRAVITY)
   let active = 0
   for (let a = from; a < to; a++) {
     const i = list[a] & INDEX
@@ -491,7 +493,7 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
     const dSpin = spin - motion[m + KICK_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
     // Where the warm start was far off, as after an impact, nothing acted evenly: it counts in full as well.
-    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > MISJUDGED ? 0.5 * h : 0
+    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > misjudged ? 0.5 * h : 0
     state[s + X] += motion[m + DRIFT_X] + h * dvx + whole * motion[m + PUSH_X]
     state[s + Y] += motion[m + DRIFT_Y] + h * dvy + whole * motion[m + PUSH_Y]
     state[s + ANGLE] += motion[m + DRIFT_ANGLE] + h * dSpin + whole * motion[m + PUSH_SPIN]
