@@ -68,8 +68,6 @@ const CREEP = 3
 const RUNAWAY = 8
 /** px of overlap from which a contact is not over-relaxed, nor its island where that is slow; one of very unequal masses is no further than others. */
 const CRUSHED = 1.5
-/** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
-const ROUNDS = 512
 /**
  * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.
@@ -242,6 +240,9 @@ const EXTENT = 3
 const CORE = 4
 const SHAPE = 5
 
+/** Before all turns of a sub-step's sweeps. */
+const NEVER = -0x40000000
+
 /**
  * A class, as all that the solver reads at every contact: V8 forgets what it knows of the fields of an object written out in
  * braces when it makes the second one, and throws all code away that was compiled for the first.
@@ -261,8 +262,8 @@ class Bodies {
   /** 1 while the slot holds a body. */
   alive: Uint8Array = new Uint8Array(1)
   asleep: Uint8Array = new Uint8Array(1)
-  /** Number of the last sweep that changed the body's velocity. */
-  stirred: Int32Array = new Int32Array(1)
+  /** Turn of the contact that last changed the body's velocity in the present sub-step, 0 if it set out in motion, or `NEVER`. */
+  stirred: Int32Array = new Int32Array(1).fill(NEVER)
   /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array = new Uint8Array(1)
   /** Who is awake. */
@@ -1959,17 +1960,9 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
- * Those that move, or were moved, are marked as stirred for the sweep with number `round`.
+ * Those that move, or were moved, are marked as stirred for the first sweep.
  */
-function kick(
-  scene: Scene,
-  list: Int32Array,
-  from: number,
-  to: number,
-  air: Air,
-  spinAir: Air,
-  round: number,
-): void {
+function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
   const { gravity, slow } = scene
   const half = 0.5 * scene.h
@@ -2003,7 +1996,7 @@ function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > slow || moved[i] > 0) stirred[i] = round - 1
+    stirred[i] = speed > slow || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -2195,23 +2188,33 @@ function close(scene: Scene, c: number): void {
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
  * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation.
- * Returns how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was
- * stirred by as much in this round or the last.
+ * Every contact has its turn, counted from `start`. It is visited if its last turn, or one since, has changed one of its bodies by more
+ * than the tolerance; the `latest` turn that changed any goes in, and out.
  */
-function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
+function sweep(
+  scene: Scene,
+  list: Int32Array,
+  from: number,
+  to: number,
+  start: number,
+  latest: number,
+): number {
   const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
   const stirred = bodies.stirred
-  const lull = round - 1
-  let stirs = 0
+  const lap = to - from + 1
+  let turn = start
   let rows = 0
   for (let i = from; i < to; i++) {
+    turn++
+    const last = turn - lap
+    if (latest < last) break
     const c = list[i] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
+    if (stirred[bodyA] < last && stirred[bodyB] < last) continue
     rows++
     const k = c * CONTACT
     const k2 = k + SECOND
@@ -2299,9 +2302,10 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     if (change > tolerance) {
-      stirred[bodyA] = round
-      stirred[bodyB] = round
-      stirs++
+      // The stage itself never moves.
+      if (bodyA > 0) stirred[bodyA] = turn
+      stirred[bodyB] = turn
+      latest = turn
     }
     let t = 0
     if (friction > 0) {
@@ -2330,7 +2334,7 @@ function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: 
     s[b + SPIN] = spinB
   }
   scene.work[VISITED] += rows
-  return stirs
+  return latest
 }
 
 /**
@@ -2796,8 +2800,6 @@ class Simulation extends Scene {
   energies: Float64Array = new Float64Array(4)
   /** Steps left in which room is made for what was pressed together. */
   cramped = 0
-  /** Number of the first sweep of the present sub-step. */
-  round = 0
   /** px/s, speed of the fastest point of the present island when its step began, and whether very unequal masses fly about in it. */
   speed = 0.5
   crushing = false
@@ -2881,18 +2883,17 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   warmStart(simulation, b0, b1, c0, c1, grabbed)
   let end = c0
   for (let n = 0; n < substeps; n++) {
-    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
     simulation.relaxation = relaxation
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
-    kick(simulation, islands.bodies, b0, b1, air, spinAir, simulation.round)
-    const stirs = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
+    kick(simulation, islands.bodies, b0, b1, air, spinAir)
+    const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
     work[SUBSTEPS_TAKEN]++
     // In balance the other sub-steps would repeat this one.
-    if (active === 0 && (stirs === 0 || speed <= BALANCE) && !held) break
+    if (active === 0 && (solved || speed <= BALANCE) && !held) break
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
@@ -2936,7 +2937,7 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   return unequal ? Math.max(usual, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / contactCount))) : usual
 }
 
-/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns how many the last sweep changed. */
+/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns whether it came to that. */
 function converge(
   simulation: Simulation,
   sweeps: number,
@@ -2945,24 +2946,26 @@ function converge(
   b1: number,
   c0: number,
   end: number,
-): number {
-  const { bodies, h, islands, round, crushing, speed, work } = simulation
+): boolean {
+  const { bodies, h, islands, crushing, speed, work } = simulation
   const unequal = simulation.uneven > UNEVEN
+  const lap = end - c0 + 1
   let further = simulation.relaxation
-  let stirs = 1
-  for (let k = 0; k < sweeps && stirs > 0; k++) {
+  let latest = 0
+  for (let k = 0; k < sweeps; k++) {
     if (crushing) simulation.relaxation = furthest(further, k, sweeps)
     for (let g = 0; g < grabbed.length; g++) {
       solveHold(bodies, grabbed[g]!, h, simulation.gravity)
-      bodies.stirred[grabbed[g]!.body] = round + k - 1
+      bodies.stirred[grabbed[g]!.body] = latest = k * lap
     }
-    stirs = sweep(simulation, islands.live, c0, end, round + k)
+    latest = sweep(simulation, islands.live, c0, end, k * lap, latest)
+    work[SWEPT]++
     // Where friction or a third chip has a say, it may not converge.
     if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
       simulation.relaxation = further = 1
-    work[SWEPT]++
+    if (latest <= k * lap) return true
   }
-  return stirs
+  return false
 }
 
 /** Takes the energy that the step has given an island out of all its velocities alike. */

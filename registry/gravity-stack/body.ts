@@ -62,6 +62,9 @@ export const EXTENT = 3
 export const CORE = 4
 export const SHAPE = 5
 
+/** Before all turns of a sub-step's sweeps. */
+export const NEVER = -0x40000000
+
 /**
  * A class, as all that the solver reads at every contact: V8 forgets what it knows of the fields of an object written out in
  * braces when it makes the second one, and throws all code away that was compiled for the first.
@@ -81,8 +84,8 @@ export class Bodies {
   /** 1 while the slot holds a body. */
   alive: Uint8Array = new Uint8Array(1)
   asleep: Uint8Array = new Uint8Array(1)
-  /** Number of the last sweep that changed the body's velocity. */
-  stirred: Int32Array = new Int32Array(1)
+  /** Turn of the contact that last changed the body's velocity in the present sub-step, 0 if it set out in motion, or `NEVER`. */
+  stirred: Int32Array = new Int32Array(1).fill(NEVER)
   /** 1 if the body had moved noticeably when `tally` last looked. */
   moved: Uint8Array = new Uint8Array(1)
   /** Who is awake. */

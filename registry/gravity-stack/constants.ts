@@ -50,8 +50,6 @@ export const CREEP = 3
 export const RUNAWAY = 8
 /** px of overlap from which a contact is not over-relaxed, nor its island where that is slow; one of very unequal masses is no further than others. */
 export const CRUSHED = 1.5
-/** Numbers set aside for the sweeps of a sub-step: a power of two, more than SWEEPS_UNEVEN. */
-export const ROUNDS = 512
 /**
  * px/s, change of velocity in a sweep at which the sweeps of a sub-step end: a share of the fastest body's speed, and its
  * bounds. Loose while things fly about, tight when they creep: creep from unfinished sweeps would never end.

@@ -128,6 +128,19 @@ describe('what the scene does not need is not run', () => {
     }
   })
 
+  it('of a row on the floor only the chip that slides is swept, though all stand on the same floor', async () => {
+    const row = Array.from({ length: 13 }, (_, i) => ({ ...kinds.boxes, angle: 0, x: 40 + 60.5 * i, y: 322 }))
+    const { world, ids } = worldOf(row, { width: 1000, sleep: false })
+    for (let k = 0; k < 60; k++) world.step(frame)
+    world.place(ids[12], { vx: 60 })
+    world.step(frame)
+    const { substeps, rows } = world.stats
+    expect(substeps).toBeGreaterThan(1)
+    // Its contact with the floor, until that stands still, and that with the chip next to it.
+    expect(rows).toBeGreaterThanOrEqual(substeps)
+    expect(rows).toBeLessThanOrEqual(5 * substeps)
+  })
+
   it('pills have one face each to part along, and discs none', async () => {
     for (const kind of ['pills', 'discs']) {
       const ran = await fall(crowd(kind))

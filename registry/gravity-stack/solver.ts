@@ -18,6 +18,7 @@ import {
   KICK_X,
   KICK_Y,
   MOTION,
+  NEVER,
   narrowest,
   PUSH_SPIN,
   PUSH_X,
@@ -97,17 +98,9 @@ import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './
 
 /**
  * Gravity, drag and warm start for the bodies `list[from..to)`: velocities at the end of the sub-step were it not for the sweep.
- * Those that move, or were moved, are marked as stirred for the sweep with number `round`.
+ * Those that move, or were moved, are marked as stirred for the first sweep.
  */
-export function kick(
-  scene: Scene,
-  list: Int32Array,
-  from: number,
-  to: number,
-  air: Air,
-  spinAir: Air,
-  round: number,
-): void {
+export function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
   const { state, motion, shape, stirred, moved } = scene.bodies
   const { gravity, slow } = scene
   const half = 0.5 * scene.h
@@ -141,7 +134,7 @@ export function kick(
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    if (speed > slow || moved[i] > 0) stirred[i] = round - 1
+    stirred[i] = speed > slow || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -333,23 +326,33 @@ function close(scene: Scene, c: number): void {
 /**
  * One Gauss–Seidel sweep over the contacts `list[from..to)`: both normals of a manifold together (the 2×2 block of the
  * complementarity problem, by cases), then friction in the interval ±μ·load, each taken further by the scene's relaxation.
- * Returns how many contacts it changed by more than the tolerance. Visits the contacts with a body that moves, or that was
- * stirred by as much in this round or the last.
+ * Every contact has its turn, counted from `start`. It is visited if its last turn, or one since, has changed one of its bodies by more
+ * than the tolerance; the `latest` turn that changed any goes in, and out.
  */
-export function sweep(scene: Scene, list: Int32Array, from: number, to: number, round: number): number {
+export function sweep(
+  scene: Scene,
+  list: Int32Array,
+  from: number,
+  to: number,
+  start: number,
+  latest: number,
+): number {
   const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
   const stirred = bodies.stirred
-  const lull = round - 1
-  let stirs = 0
+  const lap = to - from + 1
+  let turn = start
   let rows = 0
   for (let i = from; i < to; i++) {
+    turn++
+    const last = turn - lap
+    if (latest < last) break
     const c = list[i] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    if (stirred[bodyA] < lull && stirred[bodyB] < lull) continue
+    if (stirred[bodyA] < last && stirred[bodyB] < last) continue
     rows++
     const k = c * CONTACT
     const k2 = k + SECOND
@@ -437,9 +440,10 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     if (change > tolerance) {
-      stirred[bodyA] = round
-      stirred[bodyB] = round
-      stirs++
+      // The stage itself never moves.
+      if (bodyA > 0) stirred[bodyA] = turn
+      stirred[bodyB] = turn
+      latest = turn
     }
     let t = 0
     if (friction > 0) {
@@ -468,7 +472,7 @@ export function sweep(scene: Scene, list: Int32Array, from: number, to: number, 
     s[b + SPIN] = spinB
   }
   scene.work[VISITED] += rows
-  return stirs
+  return latest
 }
 
 /**

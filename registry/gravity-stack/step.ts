@@ -39,7 +39,6 @@ import {
   RELAXATION,
   ROCKING,
   ROOM_ROUNDS,
-  ROUNDS,
   RUNAWAY,
   SLOP,
   STEP,
@@ -99,8 +98,6 @@ export class Simulation extends Scene {
   energies: Float64Array = new Float64Array(4)
   /** Steps left in which room is made for what was pressed together. */
   cramped = 0
-  /** Number of the first sweep of the present sub-step. */
-  round = 0
   /** px/s, speed of the fastest point of the present island when its step began, and whether very unequal masses fly about in it. */
   speed = 0.5
   crushing = false
@@ -184,18 +181,17 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   warmStart(simulation, b0, b1, c0, c1, grabbed)
   let end = c0
   for (let n = 0; n < substeps; n++) {
-    simulation.round = (simulation.round + ROUNDS) & 0x3fffffff
     simulation.relaxation = relaxation
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
-    kick(simulation, islands.bodies, b0, b1, air, spinAir, simulation.round)
-    const stirs = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
+    kick(simulation, islands.bodies, b0, b1, air, spinAir)
+    const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
     work[SUBSTEPS_TAKEN]++
     // In balance the other sub-steps would repeat this one.
-    if (active === 0 && (stirs === 0 || speed <= BALANCE) && !held) break
+    if (active === 0 && (solved || speed <= BALANCE) && !held) break
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
@@ -239,7 +235,7 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   return unequal ? Math.max(usual, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / contactCount))) : usual
 }
 
-/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns how many the last sweep changed. */
+/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns whether it came to that. */
 function converge(
   simulation: Simulation,
   sweeps: number,
@@ -248,24 +244,26 @@ function converge(
   b1: number,
   c0: number,
   end: number,
-): number {
-  const { bodies, h, islands, round, crushing, speed, work } = simulation
+): boolean {
+  const { bodies, h, islands, crushing, speed, work } = simulation
   const unequal = simulation.uneven > UNEVEN
+  const lap = end - c0 + 1
   let further = simulation.relaxation
-  let stirs = 1
-  for (let k = 0; k < sweeps && stirs > 0; k++) {
+  let latest = 0
+  for (let k = 0; k < sweeps; k++) {
     if (crushing) simulation.relaxation = furthest(further, k, sweeps)
     for (let g = 0; g < grabbed.length; g++) {
       solveHold(bodies, grabbed[g]!, h, simulation.gravity)
-      bodies.stirred[grabbed[g]!.body] = round + k - 1
+      bodies.stirred[grabbed[g]!.body] = latest = k * lap
     }
-    stirs = sweep(simulation, islands.live, c0, end, round + k)
+    latest = sweep(simulation, islands.live, c0, end, k * lap, latest)
+    work[SWEPT]++
     // Where friction or a third chip has a say, it may not converge.
     if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
       simulation.relaxation = further = 1
-    work[SWEPT]++
+    if (latest <= k * lap) return true
   }
-  return stirs
+  return false
 }
 
 /** Takes the energy that the step has given an island out of all its velocities alike. */
