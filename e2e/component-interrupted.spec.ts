@@ -37,13 +37,26 @@ test('a new stagger leaves a pile at rest alone', async ({ stage, page }) => {
   expect(await stage.probe((probe) => probe.states.filter((state) => state === 'running').length)).toBe(1)
 })
 
-test('a new stagger holds for chips that wait already', async ({ stage, page }) => {
+test('a new stagger holds for chips that wait already: they come one by one', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const together: number[] = []
+    Object.assign(window, { together })
+    new MutationObserver((records) => {
+      const released = records.filter(
+        ({ target, oldValue }) =>
+          oldValue === 'waiting' && (target as HTMLElement).dataset.slot === 'gravity-stack-chip',
+      )
+      if (released.length > 0) together.push(released.length)
+    }).observe(document, { subtree: true, attributeFilter: ['data-state'], attributeOldValue: true })
+  })
   await stage.open('extras', { stagger: 60000 })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
   expect(await stage.states()).toContain('waiting')
   await page.locator('#pace').click()
   await expect.poll(() => stage.states()).not.toContain('waiting')
   await stage.reaches('resting')
+  const together = await page.evaluate(() => (window as unknown as { together: number[] }).together)
+  expect(Math.max(...together)).toBeLessThan(5)
 })
 
 test('who plays with the pile does not hold back the chips to come', async ({ stage, page }) => {

@@ -222,3 +222,24 @@ test('the hand is open over a chip and closed round it, and its words can’t be
   expect(await style()).toEqual({ cursor: 'grabbing', userSelect: 'none' })
   await page.mouse.up()
 })
+
+test('a chip that a mouse takes while a finger still waits on it stays with the mouse', async ({ stage }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.first()
+  const fire = (...events: [type: string, pointerId: number, pointerType: string][]) =>
+    chip.evaluate((element, list) => {
+      const { x, y, width, height } = element.getBoundingClientRect()
+      const at = { clientX: x + width / 2, clientY: y + height / 2, bubbles: true, composed: true }
+      for (const [type, pointerId, pointerType] of list)
+        element.firstElementChild!.dispatchEvent(
+          new PointerEvent(type, { ...at, pointerId, pointerType, button: 0, buttons: 1 }),
+        )
+    }, events)
+  await fire(['pointerdown', 5, 'touch'], ['pointerdown', 1, 'mouse'])
+  await stage.probe((probe) => probe.pass(30))
+  await fire(['pointerup', 5, 'touch'])
+  await stage.probe((probe) => probe.pass(2))
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await fire(['pointerup', 1, 'mouse'])
+  await stage.reaches('resting')
+})

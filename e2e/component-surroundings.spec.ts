@@ -15,7 +15,7 @@ test('a pile can still be moved after an error in onSettle', async ({ stage, pag
 
 test('a tap makes a chip hop, also where all around it can have the focus', async ({ stage }) => {
   await stage.settled('surroundings', { kind: 'focusable' })
-  expect(await stage.hop(stage.chip('two'))).toBeGreaterThan(20)
+  expect(await stage.hop(stage.chip('three'))).toBeGreaterThan(20)
 })
 
 for (const kind of ['greedy', 'draggable']) {
@@ -138,12 +138,107 @@ test('a stage that was scaled to nothing drops once it has grown', async ({ stag
 for (const [kind, larger] of [
   ['panel', 'higher'],
   ['wide', 'wider'],
+  ['clipped', 'wider'],
 ]) {
-  test(`a stage much ${larger} than what it scrolls in drops when it fills what can be seen of it`, async ({
+  test(`a ${kind} stage much ${larger} than what it scrolls in drops when it fills what can be seen of it`, async ({
     stage,
   }) => {
     await stage.open('surroundings', { kind })
     await stage.reaches('running')
+  })
+}
+
+for (const kind of ['column', 'row', 'grid']) {
+  test(`a stage in the middle of a ${kind} is as wide as that is`, async ({ stage }) => {
+    await stage.settled('surroundings', { kind })
+    expect(await stage.root.evaluate((root) => root.clientWidth)).toBe(500)
+  })
+}
+
+test('a stage just below the window is not looked at again and again', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const { observe } = IntersectionObserver.prototype
+    Object.assign(window, { looks: 0 })
+    IntersectionObserver.prototype.observe = function (target) {
+      ;(window as unknown as { looks: number }).looks++
+      observe.call(this, target)
+    }
+  })
+  const looks = () => page.evaluate(() => (window as unknown as { looks: number }).looks)
+  await stage.open('surroundings', { kind: 'below' })
+  await stage.probe((probe) => probe.pass(30))
+  const before = await looks()
+  await stage.probe((probe) => probe.pass(60))
+  expect(await looks()).toBe(before)
+  await page.evaluate(() => scrollTo(0, 300))
+  await stage.reaches('resting')
+})
+
+test('chips that come when a hundred that waited have gone fall at once', async ({ stage, page }) => {
+  await stage.open('surroundings', { kind: 'filtered' })
+  await expect(stage.chips.nth(3)).not.toHaveAttribute('data-state', 'waiting')
+  await page.locator('#next').click()
+  await expect(stage.chips).toHaveCount(3)
+  await stage.reaches('resting')
+})
+
+test('a paused stage that becomes narrower has all its chips inside and apart', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'narrower' })
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  await page.locator('#next').click()
+  await expect.poll(() => stage.root.evaluate((root) => root.clientWidth)).toBe(160)
+  await expect.poll(() => stage.outside()).toBeLessThan(1)
+  expect(await stage.overlap()).toBeLessThan(1)
+  await stage.reaches('paused')
+})
+
+test('a stage in a window that the page has opened drops its chips', async ({ stage, page, context }) => {
+  await stage.open('surroundings', { kind: 'popup' })
+  const [popup] = await Promise.all([context.waitForEvent('page'), page.locator('#open').click()])
+  await expect(popup.locator('[data-slot=gravity-stack]')).toHaveAttribute('data-state', 'resting')
+})
+
+test('a press on a slider, or on what its owner has marked, is theirs; one on words that can’t be edited takes the chip', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'owned' })
+  for (const [what, state] of [
+    ['[role=slider]', 'resting'],
+    ['[data-no-grab]', 'resting'],
+    ['[contenteditable=false]', 'held'],
+  ]) {
+    const box = await stage.root.locator(what).boundingBox()
+    await page.mouse.move(box!.x + box!.width / 2, box!.y + box!.height / 2)
+    await page.mouse.down()
+    await page.mouse.move(box!.x + box!.width / 2 + 40, box!.y + box!.height / 2 - 20, { steps: 6 })
+    await expect(stage.chips.filter({ has: page.locator(what) })).toHaveAttribute('data-state', state)
+    await page.mouse.up()
+    await stage.reaches('resting')
+  }
+})
+
+test('a shake while motion is reduced is none, also once it is not', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'front' })
+  const { poses } = await stage.pile()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await stage.reaches('static')
+  await page.locator('#shake').click()
+  await page.emulateMedia({ reducedMotion: 'no-preference' })
+  await stage.reaches('resting')
+  expect((await stage.pile()).poses).toEqual(poses)
+})
+
+for (const missing of ['matchMedia', 'IntersectionObserver']) {
+  test(`where a test gives a page no ${missing}, the children are there and nothing is thrown`, async ({
+    stage,
+    page,
+  }) => {
+    await page.addInitScript((name) => Object.assign(window, { [name]: undefined }), missing)
+    await stage.open('surroundings', { kind: 'front' })
+    await page.locator('#next').click()
+    await expect(stage.chip('new')).toBeAttached()
   })
 }
 

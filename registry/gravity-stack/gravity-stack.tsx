@@ -100,8 +100,8 @@ export const GravityStack = React.forwardRef(function GravityStack(
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch.
-    if (typeof ResizeObserver === 'undefined') return
+    // A document without layout, as tests have it, has nothing to watch; some give it one of the three.
+    if (![window.ResizeObserver, window.IntersectionObserver, window.matchMedia].every(Boolean)) return
     // What React hides and shows again keeps its pile.
     stage.current ??= createStage(root.current!, pausing)
     stage.current.attach()
@@ -142,7 +142,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,

@@ -1,6 +1,6 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { BOUNCE, FRICTION, GRAVITY, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
+import { BOUNCE, FRICTION, GRAVITY, STEP, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './simulation'
 
@@ -23,6 +23,8 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
+/** Steps in which a paused stage that was resized, or whose chips were, makes room. */
+const ROOM = 6
 /** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
@@ -36,7 +38,8 @@ const HOP_GRAVITY = 100
 const SHAKE = 1100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
-const EDITABLE = 'input, textarea, select, [contenteditable]'
+const EDITABLE =
+  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = 'dialog, [popover]'
@@ -196,13 +199,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   let front = 0
+  let kicks = 0
   let swallowClick = false
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
 
   // Shapes
 
-  const sizes = new ResizeObserver((entries) => {
+  // Of the stage's own window: in one that the page has opened no other sees it.
+  const sizes = new (page.defaultView as typeof globalThis & Window).ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
@@ -222,6 +227,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       }
     }
     sync()
+    if (state === 'paused' && pausing.current) {
+      // No time passes, but nothing may stay behind a wall or in another chip.
+      world!.step(ROOM * STEP)
+      world!.eachMoved(paint)
+    }
   })
 
   function lookAgain() {
@@ -248,12 +258,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
       if (moves) sizes.observe(element)
     }
+    const waiting = queue.length
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
       sizes.unobserve(element)
       withdraw(chip)
       chips.delete(element)
     }
+    // Those that still wait move up.
+    if (queue.length < waiting) requeue()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -337,13 +350,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function schedule(chip: Chip) {
     // Nobody can use what still waits out of sight.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
-    slot += options.stagger / 1000
+    slot = Math.max(slot, clock) + options.stagger / 1000
     let place = queue.length
     while (place > 0 && queue[place - 1]!.due > chip.due) place--
     queue.splice(place, 0, chip)
   }
 
-  /** Times the releases to come by a new stagger. */
+  /** Times the releases to come anew. */
   function requeue() {
     catchUp()
     const waiting = queue
@@ -626,6 +639,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   function hold(press: Press) {
     const { chip } = press
+    // While a finger waited a mouse may have taken it.
+    if (chip.state === 'held') return letGo(press)
     const { state: poses } = world!.scene.bodies
     const x = poses[chip.id * STATE + X]!
     const y = poses[chip.id * STATE + Y]!
@@ -708,9 +723,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
   function kick(chip: Chip, speed: number) {
-    const either = (channel: number) => 2 * scatter(turns, channel) - 1
-    turns++
-    world?.place(chip.id, {
+    const either = (channel: number) => 2 * scatter(kicks, channel) - 1
+    kicks++
+    world!.place(chip.id, {
       vx: 0.3 * speed * either(1),
       vy: speed * (0.1 * either(2) - 0.9),
       spin: KICK_TWIST * speed * either(3),
@@ -723,7 +738,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
     let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
     for (let node = root.parentElement; node; node = node.parentElement) {
-      if (!/auto|scroll/.test(getComputedStyle(node).overflow)) continue
+      if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
       wide = Math.min(wide, node.clientWidth)
       high = Math.min(high, node.clientHeight)
     }
@@ -731,7 +746,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   function seen(entry: IntersectionObserverEntry) {
-    const { isIntersecting, intersectionRatio, intersectionRect: shown } = entry
+    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
     const area = shown.width * shown.height
@@ -739,7 +754,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
-    if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
+    if (inView && !(whole.width * whole.height) && root.offsetWidth * root.offsetHeight)
+      unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
   }
 
@@ -780,7 +796,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sync()
     },
     shake() {
-      for (const chip of chips.values()) kick(chip, SHAKE)
+      if (still.matches) return
+      for (const chip of chips.values()) if (chip.id >= 0) kick(chip, SHAKE)
       sync()
     },
     sync,
