@@ -28,10 +28,11 @@ const FRICTION = 0.4
 const LINEAR_DAMPING = 0.35
 const ANGULAR_DAMPING = 1.4
 /**
- * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
+ * Rolling resistance: its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds. Its lever is
+ * shorter, the longer a chip is for its width: else pills would stand on their ends.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-const ROLLING = 0.1
+const ROLLING = 0.05
 const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
@@ -164,15 +165,19 @@ const ROOM_ROUNDS = 8
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
-/** Hz, damping ratio and force limit (in weights of the chip, at 500 px/s² where gravity is less) of the soft constraint that holds a grabbed chip. */
+/** Hz, damping ratio and force limit (in weights of the chip, at this gravity, px/s², where there is less) of the soft constraint that holds a grabbed chip. */
 const GRAB_HERTZ = 7.5
 const GRAB_DAMPING = 1
 const GRAB_STRENGTH = 14
+const GRAB_GRAVITY = 500
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 const TOUCH_HOLD = 180
 const TOUCH_DRAG_START = 8
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 const GRAB_SAG = 4
+/** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
+const THROW_WINDOW = 0.08
+const THROW_SLACK = 16
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
 
@@ -902,8 +907,9 @@ function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): voi
 function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
   findArm(bodies, hold)
   hold.idle += h
-  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  // In the hand it has no memory of what it rolled on: else it would hang askew.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
     bodies.state[hold.body * STATE + INV_INERTIA] *
     ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
@@ -917,7 +923,12 @@ function pull(bodies: Bodies, hold: Hold, gravity: number): number {
   const s = bodies.state
   findArm(bodies, hold)
   const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
-  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
+  return Math.max(0, Math.min(away - GRAB_SAG, strength(gravity) * STEP * STEP))
+}
+
+/** px/s², the most by which a hand accelerates its chip. */
+function strength(gravity: number): number {
+  return GRAB_STRENGTH * Math.max(Math.abs(gravity), GRAB_GRAVITY)
 }
 
 /** The impulse of the last step, added to what the body gets as warm start. */
@@ -950,7 +961,7 @@ function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void
   let x = hold.impulseX * (1 - soft) - a2 * soft * (k22 * det * vx + -k12 * det * vy)
   let y = hold.impulseY * (1 - soft) - a2 * soft * (-k12 * det * vx + k11 * det * vy)
   const size = Math.sqrt(x * x + y * y)
-  const limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+  const limit = (strength(gravity) * h) / m
   if (size > limit) {
     x *= limit / size
     y *= limit / size
@@ -964,9 +975,6 @@ function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void
   s[i + SPIN] += n * (rx * dy - ry * dx)
 }
 
-/** s of the pointer's way that a throw is fitted to. */
-const THROW_WINDOW = 0.08
-
 /** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
 function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.x = x
@@ -979,12 +987,15 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
 
-/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+/**
+ * Sets the velocity with which the body leaves: its grabbed point with the pointer's, fitted to its own timestamps, if it kept up with
+ * it. The centre does not, as what swings below the hand swings on. Another hand that still holds the body decides alone.
+ */
 function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
-  if (samples.length > 1 && hold.idle < THROW_WINDOW) {
+  if (bodies.held[hold.body] === 0 && samples.length > 1 && hold.idle < THROW_WINDOW) {
     let t = 0
     let x = 0
     let y = 0
@@ -1007,11 +1018,11 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
       findArm(bodies, hold)
       const offX = s[i + X] + arm[0] - hold.x
       const offY = s[i + Y] + arm[1] - hold.y
-      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx
-        s[i + VY] = vy
+      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx + s[i + SPIN] * arm[1]
+        s[i + VY] = vy - s[i + SPIN] * arm[0]
       }
     }
   }
@@ -1985,7 +1996,9 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
-    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
+    const narrow = narrowest(shape, i)
+    const lever = (rolling * narrow * narrow) / shape[i * SHAPE + EXTENT]
+    const grip = (lever * (Math.abs(pushX) + Math.abs(pushY)) * state[s + INV_INERTIA]) / state[s + INV_MASS]
     let toSpin = spinAir.fade * spin + pushSpin
     let brake = motion[m + BRAKE]
     brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
@@ -3197,7 +3210,10 @@ type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spi
 interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
-  /** Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else with its own; at most `MAX_TOSS`. */
+  /**
+   * Lets go: the grabbed point leaves with the pointer's velocity if it kept up with it, else the body with its own; at most `MAX_TOSS`.
+   * A body that another hand still holds is not thrown.
+   */
   release(): void
 }
 
@@ -3338,6 +3354,9 @@ function createWorld(options: WorldOptions) {
           holds.splice(n, 1)
           bodies.held[id]--
           throwVelocity(bodies, hold)
+          // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
+          for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
+            contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
         },
       }
     },
@@ -3529,6 +3548,8 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
+/** Steps in which a paused stage that was resized, or whose chips were, makes room. */
+const ROOM = 6
 /** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
@@ -3542,7 +3563,8 @@ const HOP_GRAVITY = 100
 const SHAKE = 1100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
-const EDITABLE = 'input, textarea, select, [contenteditable]'
+const EDITABLE =
+  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = 'dialog, [popover]'
@@ -3702,13 +3724,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   let front = 0
+  let kicks = 0
   let swallowClick = false
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
 
   // Shapes
 
-  const sizes = new ResizeObserver((entries) => {
+  // Of the stage's own window: in one that the page has opened no other sees it.
+  const sizes = new (page.defaultView as typeof globalThis & Window).ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
@@ -3728,6 +3752,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       }
     }
     sync()
+    if (state === 'paused' && pausing.current) {
+      // No time passes, but nothing may stay behind a wall or in another chip.
+      world!.step(ROOM * STEP)
+      world!.eachMoved(paint)
+    }
   })
 
   function lookAgain() {
@@ -3754,12 +3783,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
       if (moves) sizes.observe(element)
     }
+    const waiting = queue.length
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
       sizes.unobserve(element)
       withdraw(chip)
       chips.delete(element)
     }
+    // Those that still wait move up.
+    if (queue.length < waiting) requeue()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -3843,13 +3875,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function schedule(chip: Chip) {
     // Nobody can use what still waits out of sight.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
-    slot += options.stagger / 1000
+    slot = Math.max(slot, clock) + options.stagger / 1000
     let place = queue.length
     while (place > 0 && queue[place - 1]!.due > chip.due) place--
     queue.splice(place, 0, chip)
   }
 
-  /** Times the releases to come by a new stagger. */
+  /** Times the releases to come anew. */
   function requeue() {
     catchUp()
     const waiting = queue
@@ -4132,6 +4164,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   function hold(press: Press) {
     const { chip } = press
+    // While a finger waited a mouse may have taken it.
+    if (chip.state === 'held') return letGo(press)
     const { state: poses } = world!.scene.bodies
     const x = poses[chip.id * STATE + X]!
     const y = poses[chip.id * STATE + Y]!
@@ -4214,9 +4248,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
   function kick(chip: Chip, speed: number) {
-    const either = (channel: number) => 2 * scatter(turns, channel) - 1
-    turns++
-    world?.place(chip.id, {
+    const either = (channel: number) => 2 * scatter(kicks, channel) - 1
+    kicks++
+    world!.place(chip.id, {
       vx: 0.3 * speed * either(1),
       vy: speed * (0.1 * either(2) - 0.9),
       spin: KICK_TWIST * speed * either(3),
@@ -4229,7 +4263,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
     let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
     for (let node = root.parentElement; node; node = node.parentElement) {
-      if (!/auto|scroll/.test(getComputedStyle(node).overflow)) continue
+      if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
       wide = Math.min(wide, node.clientWidth)
       high = Math.min(high, node.clientHeight)
     }
@@ -4237,7 +4271,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function seen(entry: IntersectionObserverEntry) {
-    const { isIntersecting, intersectionRatio, intersectionRect: shown } = entry
+    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
     const area = shown.width * shown.height
@@ -4245,7 +4279,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
-    if (inView && !area && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
+    if (inView && !(whole.width * whole.height) && root.offsetWidth * root.offsetHeight)
+      unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
   }
 
@@ -4286,7 +4321,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       sync()
     },
     shake() {
-      for (const chip of chips.values()) kick(chip, SHAKE)
+      if (still.matches) return
+      for (const chip of chips.values()) if (chip.id >= 0) kick(chip, SHAKE)
       sync()
     },
     sync,
@@ -4407,8 +4443,8 @@ export const GravityStack = React.forwardRef(function GravityStack(
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch.
-    if (typeof ResizeObserver === 'undefined') return
+    // A document without layout, as tests have it, has nothing to watch; some give it one of the three.
+    if (![window.ResizeObserver, window.IntersectionObserver, window.matchMedia].every(Boolean)) return
     // What React hides and shows again keeps its pile.
     stage.current ??= createStage(root.current!, pausing)
     stage.current.attach()
@@ -4449,7 +4485,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,

@@ -10,10 +10,11 @@ export const FRICTION = 0.4
 export const LINEAR_DAMPING = 0.35
 export const ANGULAR_DAMPING = 1.4
 /**
- * Rolling resistance: twice its coefficient, and the share of a spin by which it grows in a sub-step until it holds.
+ * Rolling resistance: its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds. Its lever is
+ * shorter, the longer a chip is for its width: else pills would stand on their ends.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-export const ROLLING = 0.1
+export const ROLLING = 0.05
 export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
@@ -146,14 +147,18 @@ export const ROOM_ROUNDS = 8
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 export const FOLLOW = 0.03
 
-/** Hz, damping ratio and force limit (in weights of the chip, at 500 px/s² where gravity is less) of the soft constraint that holds a grabbed chip. */
+/** Hz, damping ratio and force limit (in weights of the chip, at this gravity, px/s², where there is less) of the soft constraint that holds a grabbed chip. */
 export const GRAB_HERTZ = 7.5
 export const GRAB_DAMPING = 1
 export const GRAB_STRENGTH = 14
+export const GRAB_GRAVITY = 500
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 export const GRAB_SAG = 4
+/** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
+export const THROW_WINDOW = 0.08
+export const THROW_SLACK = 16
 /** px/s, the most a chip keeps when it is let go. */
 export const MAX_TOSS = 1800

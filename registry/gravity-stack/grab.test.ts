@@ -228,6 +228,46 @@ describe('a chip let go', () => {
     }
   })
 
+  it('swings on as it did when a hand that stands still lets go of it', () => {
+    for (const seconds of [0.2, 0.4, 1, 2]) {
+      const { world, ids } = worldOf([{ ...pill, width: 200, height: 24, radius: 12, x: 320, y: 100 }])
+      const grab = world.grab(ids[0], 410, 100)
+      grab.moveTo(410, 100, 0)
+      run(world, seconds)
+      const before = world.read(ids[0])
+      // As a page tells of it: where the pointer is when the button goes up is where it was.
+      grab.moveTo(410, 100, seconds)
+      grab.release()
+      const after = world.read(ids[0])
+      expect(Math.hypot(before.vx, before.vy)).toBeGreaterThan(100)
+      expect(Math.hypot(after.vx - before.vx, after.vy - before.vy)).toBeLessThan(20)
+      expect(after.spin).toBe(before.spin)
+    }
+  })
+
+  it('bounces off the floor that it lay on when it is flicked at it', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: floor - 15 }], { bounce: 0.8 })
+    settle(world)
+    const grab = world.grab(ids[0], 320, floor - 15)
+    for (let k = 0; k < 5; k++) {
+      grab.moveTo(320, floor - 15 + 800 * k * frame, k * frame)
+      world.step(frame)
+    }
+    grab.release()
+    expect(world.read(ids[0]).vy).toBeGreaterThan(700)
+    world.step(frame)
+    expect(world.read(ids[0]).vy).toBeLessThan(-500)
+  })
+
+  it('hangs from a hand that is as strong where gravity points upwards', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }], { gravity: -20_000 })
+    const grab = world.grab(ids[0], 320, 100)
+    grab.moveTo(320, 100, 0)
+    run(world, 2)
+    expect(Math.abs(world.read(ids[0]).y - 100)).toBeLessThan(40)
+    expect(Math.abs(world.read(ids[0]).vy)).toBeLessThan(1)
+  })
+
   it('falls straight down if it hung still', () => {
     const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
     const grab = world.grab(ids[0], 320, 100)
@@ -299,6 +339,20 @@ describe('a chip let go', () => {
     const hold = createHold(world.scene.bodies, ids[0], x + 30 * cos - 5 * sin, y + 30 * sin + 5 * cos)
     expect(hold.localX).toBeCloseTo(30, 6)
     expect(hold.localY).toBeCloseTo(5, 6)
+  })
+
+  it('is not thrown by one of two hands while the other holds it', () => {
+    const { world, ids } = worldOf([{ ...pill, width: 160, x: 320, y: 200 }])
+    const [still, moving] = [world.grab(ids[0], 250, 200), world.grab(ids[0], 390, 200)]
+    for (let k = 0; k <= 10; k++) {
+      still.moveTo(250, 200, k * frame)
+      moving.moveTo(390, 200 - 600 * k * frame, k * frame)
+      world.step(frame)
+    }
+    const before = world.read(ids[0])
+    moving.release()
+    const after = world.read(ids[0])
+    expect([after.vx, after.vy]).toEqual([before.vx, before.vy])
   })
 
   it('is held by two pointers until both let go', () => {

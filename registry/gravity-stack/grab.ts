@@ -18,7 +18,17 @@ import {
   X,
   Y,
 } from './body'
-import { GRAB_DAMPING, GRAB_HERTZ, GRAB_SAG, GRAB_STRENGTH, MAX_TOSS, STEP } from './constants'
+import {
+  GRAB_DAMPING,
+  GRAB_GRAVITY,
+  GRAB_HERTZ,
+  GRAB_SAG,
+  GRAB_STRENGTH,
+  MAX_TOSS,
+  STEP,
+  THROW_SLACK,
+  THROW_WINDOW,
+} from './constants'
 
 /**
  * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
@@ -79,8 +89,9 @@ function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): voi
 export function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
   findArm(bodies, hold)
   hold.idle += h
-  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
+  // In the hand it has no memory of what it rolled on: else it would hang askew.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
+  // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
     bodies.state[hold.body * STATE + INV_INERTIA] *
     ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
@@ -94,7 +105,12 @@ export function pull(bodies: Bodies, hold: Hold, gravity: number): number {
   const s = bodies.state
   findArm(bodies, hold)
   const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
-  return Math.max(0, Math.min(away - GRAB_SAG, GRAB_STRENGTH * Math.max(gravity, 500) * STEP * STEP))
+  return Math.max(0, Math.min(away - GRAB_SAG, strength(gravity) * STEP * STEP))
+}
+
+/** px/s², the most by which a hand accelerates its chip. */
+function strength(gravity: number): number {
+  return GRAB_STRENGTH * Math.max(Math.abs(gravity), GRAB_GRAVITY)
 }
 
 /** The impulse of the last step, added to what the body gets as warm start. */
@@ -127,7 +143,7 @@ export function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number
   let x = hold.impulseX * (1 - soft) - a2 * soft * (k22 * det * vx + -k12 * det * vy)
   let y = hold.impulseY * (1 - soft) - a2 * soft * (-k12 * det * vx + k11 * det * vy)
   const size = Math.sqrt(x * x + y * y)
-  const limit = (GRAB_STRENGTH * Math.max(gravity, 500) * h) / m
+  const limit = (strength(gravity) * h) / m
   if (size > limit) {
     x *= limit / size
     y *= limit / size
@@ -141,9 +157,6 @@ export function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number
   s[i + SPIN] += n * (rx * dy - ry * dx)
 }
 
-/** s of the pointer's way that a throw is fitted to. */
-const THROW_WINDOW = 0.08
-
 /** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
 export function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.x = x
@@ -156,12 +169,15 @@ export function recordHold(hold: Hold, x: number, y: number, seconds: number): v
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
 
-/** Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it. */
+/**
+ * Sets the velocity with which the body leaves: its grabbed point with the pointer's, fitted to its own timestamps, if it kept up with
+ * it. The centre does not, as what swings below the hand swings on. Another hand that still holds the body decides alone.
+ */
 export function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
-  if (samples.length > 1 && hold.idle < THROW_WINDOW) {
+  if (bodies.held[hold.body] === 0 && samples.length > 1 && hold.idle < THROW_WINDOW) {
     let t = 0
     let x = 0
     let y = 0
@@ -184,11 +200,11 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
       findArm(bodies, hold)
       const offX = s[i + X] + arm[0] - hold.x
       const offY = s[i + Y] + arm[1] - hold.y
-      // A damped spring trails its target by 2ζ/ω s; a body much farther behind is stuck, and the pointer's speed is not its own.
+      // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < 16 + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx
-        s[i + VY] = vy
+      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * Math.sqrt(vx * vx + vy * vy)) {
+        s[i + VX] = vx + s[i + SPIN] * arm[1]
+        s[i + VY] = vy - s[i + SPIN] * arm[0]
       }
     }
   }

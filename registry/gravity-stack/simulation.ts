@@ -73,7 +73,10 @@ export type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy'
 export interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
-  /** Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else with its own; at most `MAX_TOSS`. */
+  /**
+   * Lets go: the grabbed point leaves with the pointer's velocity if it kept up with it, else the body with its own; at most `MAX_TOSS`.
+   * A body that another hand still holds is not thrown.
+   */
   release(): void
 }
 
@@ -214,6 +217,9 @@ export function createWorld(options: WorldOptions) {
           holds.splice(n, 1)
           bodies.held[id]--
           throwVelocity(bodies, hold)
+          // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
+          for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
+            contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
         },
       }
     },
