@@ -43,6 +43,18 @@ for (const [where, button, at] of additions) {
   })
 }
 
+test('children that come together later fall one by one as well', async ({ stage, page }) => {
+  await stage.settled('children')
+  await stage.probe((probe) => probe.releases.splice(0))
+  await page.locator('#add').evaluate((button: HTMLElement) => {
+    for (let i = 0; i < 4; i++) button.click()
+  })
+  await expect(stage.chips).toHaveCount(15)
+  await expect.poll(() => stage.states()).not.toContain('waiting')
+  const left = await stage.probe((probe) => probe.releases.map(([, waiting]) => waiting))
+  expect(Math.max(...left)).toBeGreaterThan(1)
+})
+
 test('a new order and a render without change leave the pile as it lies', async ({ stage, page }) => {
   await stage.settled('children')
   const before = await places(stage)

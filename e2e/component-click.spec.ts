@@ -42,6 +42,21 @@ test('a press on a control gives it the focus, and one beside it takes the focus
   await expect(control('inner')).not.toBeFocused()
 })
 
+test('a hand that trembles by 3 px still clicks a link, one that goes 10 px drags it', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  const link = stage.chip('Read the docs')
+  await stage.drag(link, 10, 0)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  expect(page.url()).not.toMatch(/#link$/)
+  await stage.drag(link, 3, 0, 3)
+  await page.mouse.up()
+  await expect(page).toHaveURL(/#link$/)
+})
+
 test('a drag that starts on a link moves the chip, and neither follows nor drags the link', async ({
   stage,
   page,

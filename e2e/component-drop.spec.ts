@@ -1,3 +1,4 @@
+import { worstOverlap } from '../scenes/exact-distance'
 import { expect, test } from './fixtures/stage'
 
 for (const chips of [12, 40, 60]) {
@@ -74,6 +75,24 @@ test('chips fall one by one, first come first', async ({ stage }) => {
     [2, 0],
   ])
 })
+
+for (const [what, corners, radius] of [
+  ['of which one corner is round and three are square', '24px 0 0 0', 0],
+  ['whose corners are a share of its size', '20%', 9.6],
+] as const) {
+  test(`a chip ${what} lies as it is drawn`, async ({ stage, page }) => {
+    await page.route('**/fixtures.css', async (route) => {
+      const response = await route.fetch()
+      const face = '[data-slot=gravity-stack-chip] > *'
+      const body = `${await response.text()}\n${face} { border-radius: ${corners} !important }`
+      await route.fulfill({ response, body })
+    })
+    await stage.settled('pile', { chips: 12, shape: 'disc' })
+    const { shapes, poses, stage: room } = await stage.pile()
+    const drawn = shapes.map((shape) => ({ ...shape, radius }))
+    expect(worstOverlap(drawn, poses, room)).toBeLessThan(1)
+  })
+}
 
 test('chips collide as what they look like: pills, boxes, rounded boxes, discs', async ({ stage }) => {
   for (const shape of ['pill', 'box', 'rounded', 'disc', 'tall']) {

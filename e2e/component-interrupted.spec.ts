@@ -157,22 +157,25 @@ test('taken from a hand that has stood still a chip falls straight down', async 
   const { x } = await stage.centre(chip)
   await page.locator('#pause').evaluate((button: HTMLElement) => button.click())
   await expect(chip).not.toHaveAttribute('data-state', 'held')
-  const farthest = chip.evaluate(async (element) => {
-    let way = 0
+  const watched = await chip.evaluateHandle((element) => {
     const at = () => {
       const box = element.getBoundingClientRect()
       return box.x + box.width / 2
     }
-    const from = at()
-    while (element.parentElement!.dataset.state === 'paused') await window.probe.pass(1)
-    for (let k = 0; k < 12; k++) {
-      await window.probe.pass(1)
-      way = Math.max(way, Math.abs(at() - from))
+    async function farthest() {
+      let way = 0
+      const from = at()
+      while (element.parentElement!.dataset.state === 'paused') await window.probe.pass(1)
+      for (let k = 0; k < 12; k++) {
+        await window.probe.pass(1)
+        way = Math.max(way, Math.abs(at() - from))
+      }
+      return way
     }
-    return way
+    return { farthest: farthest() }
   })
   await page.locator('#resume').evaluate((button: HTMLElement) => button.click())
-  expect(await farthest).toBeLessThan(15)
+  expect(await watched.evaluate(({ farthest }) => farthest)).toBeLessThan(15)
   expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(60)
   await page.mouse.up()
 })

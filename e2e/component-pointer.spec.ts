@@ -94,17 +94,9 @@ test('a chip that is carried and let go falls straight down: no flight, no hop',
   await stage.drag(chip, 0, -100)
   await stage.hangs(chip)
   const { x, y } = await stage.centre(chip)
-  const highest = chip.evaluate(async (element) => {
-    let top = Number.POSITIVE_INFINITY
-    while (element.dataset.state !== 'resting') {
-      const box = element.getBoundingClientRect()
-      top = Math.min(top, box.y + box.height / 2)
-      await window.probe.pass(1)
-    }
-    return top
-  })
+  const highest = await stage.highest(chip)
   await page.mouse.up()
-  expect(y - (await highest)).toBeLessThan(4)
+  expect(y - (await highest())).toBeLessThan(4)
   await stage.reaches('resting')
   expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(60)
 })
@@ -221,6 +213,22 @@ test('the hand is open over a chip and closed round it, and its words can’t be
   await stage.drag(chip, 30, -50)
   expect(await style()).toEqual({ cursor: 'grabbing', userSelect: 'none' })
   await page.mouse.up()
+})
+
+test('a press with another button than the first, or with Ctrl, holds no chip', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const { x, y } = await stage.centre(stage.chips.nth(0))
+  await page.mouse.move(x, y)
+  for (const button of ['right', 'middle'] as const) {
+    await page.mouse.down({ button })
+    expect(await stage.states(), button).not.toContain('held')
+    await page.mouse.up({ button })
+  }
+  await page.keyboard.down('Control')
+  await page.mouse.down()
+  expect(await stage.states()).not.toContain('held')
+  await page.mouse.up()
+  await page.keyboard.up('Control')
 })
 
 test('a chip that a mouse takes while a finger still waits on it stays with the mouse', async ({ stage }) => {

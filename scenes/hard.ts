@@ -422,7 +422,7 @@ export const hardScenes: HardScene[] = [
       const random = seeded(seed)
       return scatter(200, 1200, 700, random, anyShape(random))
     },
-    bounds: settles,
+    bounds: { ...settles, speed: 1000 },
   },
   {
     name: 'small-among-large',

@@ -19,7 +19,7 @@ function versionOf(path, ...args) {
   }
 }
 
-const playwrightsOwn = () => createRequire(import.meta.url)('playwright-core').chromium.executablePath()
+const playwrightsOwn = () => createRequire(import.meta.url)('@playwright/test').chromium.executablePath()
 
 const onPath = (names) =>
   (process.env.PATH ?? '').split(delimiter).flatMap((dir) => names.map((name) => join(dir, name)))

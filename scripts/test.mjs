@@ -110,7 +110,7 @@ await tests(
 
 await rm(reports, { recursive: true, force: true })
 if (missing.length > 0)
-  console.log(`\nNot run: the solver's bits in ${missing.join(' and ')}, not to be had here`)
+  console.log(`\nNot run: what is tested in ${missing.join(' and ')}, not to be had here`)
 console.log(failures.length > 0 ? `\nFailed:\n  ${failures.join('\n  ')}\n` : '')
 console.log(`${totals.passed} passed, ${totals.failed} failed`)
 process.exitCode = totals.failed > 0 || totals.passed === 0 ? 1 : 0

@@ -79,6 +79,12 @@ describe('the drop', () => {
 
   it('sends chips down when gravity alone would not', () => {
     expect(pose(3, 80, 36, 640, 0).vy).toBeGreaterThan(100)
+    expect(pose(3, 80, 36, 640, 90).vy).toBeGreaterThan(100)
+  })
+
+  it('releases some chips at once and others a tenth of a second late', () => {
+    const late = all.map((i) => releaseTime(i, i * 0.15) - i * 0.15)
+    expect(Math.max(...late) - Math.min(...late)).toBeGreaterThan(0.1)
   })
 
   it('releases at most 0.12 s late, in the middle of a step, where no rounding of frame times reaches', () => {

@@ -268,6 +268,30 @@ describe('a chip let go', () => {
     expect(Math.abs(world.read(ids[0]).vy)).toBeLessThan(1)
   })
 
+  it('is not thrown by a hand that stood still for a fifth of a second', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 200, y: 100 }], { width: 4000, gravity: 0 })
+    const grab = world.grab(ids[0], 200, 100)
+    for (let k = 0; k < 15; k++) {
+      grab.moveTo(200 + 16 * k, 100, k * frame)
+      world.step(frame)
+    }
+    run(world, 0.2)
+    const { vx } = world.read(ids[0])
+    grab.release()
+    expect(world.read(ids[0]).vx).toBe(vx)
+  })
+
+  it('follows at once after it was held still where it lay for seconds', () => {
+    const { world, ids } = pile([{ ...pill, x: 320, y: floor - 15 }])
+    const grab = world.grab(ids[0], 320, floor - 15)
+    run(world, 3)
+    for (let k = 1; k <= 60; k++) {
+      grab.moveTo(320, floor - 15 - 2 * k, 3 + k * frame)
+      world.step(frame)
+    }
+    expect(world.read(ids[0]).y).toBeLessThan(floor - 115)
+  })
+
   it('falls straight down if it hung still', () => {
     const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
     const grab = world.grab(ids[0], 320, 100)

@@ -210,6 +210,27 @@ describe('a sleeping chip sleeps on', () => {
     }
   })
 
+  it('without gravity, wherever it floats', () => {
+    const chips = [100, 400].map((x) => ({ ...pill, x, y: 100 }))
+    expect(settle(worldOf(chips, { gravity: 0 }).world, 120)).toBeLessThan(120)
+  })
+
+  it('also if it fits between the walls at no turn', () => {
+    const { world } = worldOf([{ width: 700, height: 660, x: 320, y: 0, angle: 0.1 }])
+    expect(settle(world, 600)).toBeLessThan(600)
+  })
+
+  it('and does not hop when gravity is turned down', () => {
+    const { world, ids } = worldOf(tower(5), { gravity: 20_000 })
+    settle(world)
+    const before = readAll(world, ids)
+    world.configure({ gravity: 100 })
+    for (let k = 0; k < 60; k++) {
+      world.step(frame)
+      for (const [i, { y }] of readAll(world, ids).entries()) expect(before[i].y - y).toBeLessThan(1)
+    }
+  })
+
   it('beside one that comes to rest against it', () => {
     const { world, ids } = asleep([{ ...box, x: 320, y: floor - 20 }])
     world.add({ ...box, x: 380, y: floor - 20 })

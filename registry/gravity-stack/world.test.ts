@@ -54,6 +54,15 @@ describe('what has one right answer', () => {
   })
 })
 
+describe('what falls for long', () => {
+  it('falls no faster than 3600 px/s', () => {
+    const chip = { width: 80, height: 30, x: 320, y: -60_000, angle: 0 }
+    const { world, ids } = worldOf([chip], { gravity: 20_000, linearDamping: 0 })
+    run(world, 1)
+    expect(world.read(ids[0]).vy).toBeCloseTo(3600, 6)
+  })
+})
+
 describe('what is out of balance', () => {
   it('a pill that stands on its round end and leans falls over', () => {
     for (const [width, height, lean] of [
