@@ -95,6 +95,7 @@ describe('the claim', () => {
       ]),
     )
     expect(exact.beaten).toEqual([])
+    expect(exact.tied.map(({ engine }) => engine)).toEqual(['planck'])
     const [close] = verdicts(
       resultsOf([
         ['gravity-stack', null, 10, 0.01],
@@ -102,6 +103,7 @@ describe('the claim', () => {
       ]),
     )
     expect(close.beaten).toEqual([])
+    expect(close.tied).toEqual([])
   })
 
   it('tells forces apart down to a ten-thousandth of a pile’s weight', () => {
@@ -111,8 +113,11 @@ describe('the claim', () => {
     ])
     results.scenes[0].measures[0].unit = 'weights'
     expect(verdicts(results)[0].beaten.map(({ engine }) => engine)).toEqual(['rapier'])
+    expect(verdicts(results)[0].tied).toEqual([])
     results.errors[0].errors = [9e-5]
-    expect(verdicts(results)[0].beaten).toEqual([])
+    expect(verdicts(results)[0]).toMatchObject({ beaten: [], tied: [{ engine: 'rapier' }], floor: 1e-4 })
+    results.errors[0].errors = [1e-5]
+    expect(verdicts(results)[0]).toMatchObject({ beaten: [], tied: [] })
   })
 
   it('leaves open what was not played, unless it is known to cost more', () => {

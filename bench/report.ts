@@ -117,12 +117,16 @@ export type Verdict = {
   /** our default setting */
   cost: number
   error: number
+  /** errors below it count as none */
+  floor: number
   /** the most exact peer that costs no more, and how many times our error it makes */
   asCheap: (Point & { factor: number }) | null
   /** the cheapest peer that is as exact, at any setting, and how many times our cost it takes */
   asExact: (Point & { factor: number }) | null
   /** peers that are cheaper and more exact than our default: the exceptions to the claim */
   beaten: Point[]
+  /** peers that would be exceptions too, if errors below the floor counted: from cheap to dear */
+  tied: Point[]
   /** peers' settings without a place here that are not known to cost more than our default: what the claim leaves open */
   open: MissingRow[]
 }
@@ -141,6 +145,7 @@ export function verdicts(results: Results): Verdict[] {
       const cheap = peers
         .filter((point) => point.cost <= own.cost * noise)
         .sort((a, b) => a.error - b.error)[0]
+      const cheaper = peers.filter((point) => point.cost * noise < own.cost && point.error < own.error)
       const exact = peers.filter((point) => point.error <= ownError).sort((a, b) => a.cost - b.cost)[0]
       return [
         {
@@ -148,11 +153,11 @@ export function verdicts(results: Results): Verdict[] {
           measure,
           cost: own.cost,
           error: own.error,
+          floor,
           asCheap: cheap ? { ...cheap, factor: Math.max(cheap.error, floor) / ownError } : null,
           asExact: exact ? { ...exact, factor: exact.cost / own.cost } : null,
-          beaten: peers.filter(
-            (point) => point.cost * noise < own.cost && Math.max(point.error, floor) < ownError,
-          ),
+          beaten: cheaper.filter((point) => Math.max(point.error, floor) < ownError),
+          tied: own.error <= floor ? cheaper.toSorted((a, b) => a.cost - b.cost) : [],
           open: results.missing.filter(
             (row) =>
               row.scene === scene.name && row.engine !== ours && !((row.atLeast ?? 0) * noise >= own.cost),
@@ -162,7 +167,3 @@ export function verdicts(results: Results): Verdict[] {
     }),
   )
 }
-
-/** Whether a cheaper peer errs no more as errors count: neither lies below and to the left of the other. */
-export const isTie = ({ beaten, asExact }: Verdict) =>
-  beaten.length === 0 && (asExact?.factor ?? 1) < 1 / noise

@@ -1,4 +1,4 @@
-import { frontier, isTie, points, type Results, type Verdict } from '@/bench/report'
+import { frontier, points, type Results, type Verdict } from '@/bench/report'
 import data from '@/bench/results/results.json'
 import { figure } from '@/lib/figure'
 import { engineOrder, looks, settingTitle } from './engines'
@@ -60,19 +60,25 @@ export const verdictHead = [
 
 /** What the claim says of a scene, in words. */
 export function verdictWords(verdict: Verdict) {
-  const { scene, measure, cost, error, asCheap, asExact, beaten } = verdict
+  const { scene, measure, cost, error, floor, asCheap, asExact, beaten, tied } = verdict
   const rival = (engine: string) => looks[engine].title
+  const { unit } = scene.measures[measure]
+  const timesOurs = (cheap: NonNullable<Verdict['asCheap']>) =>
+    Math.max(error, cheap.error) <= floor
+      ? `both below ${figure(floor)} ${unit}`
+      : `${figure(cheap.factor)} × the error`
   return {
-    error: `${figure(error)} ${scene.measures[measure].unit}`,
+    error: `${figure(error)} ${unit}`,
     cost: figure(cost),
-    asCheap: asCheap ? `${rival(asCheap.engine)}: ${figure(asCheap.factor)} × the error` : 'none as cheap',
+    asCheap: asCheap ? `${rival(asCheap.engine)}: ${timesOurs(asCheap)}` : 'none as cheap',
     asExact: asExact
       ? `${rival(asExact.engine)}: ${figure(asExact.factor)} × the cost`
       : 'none, at any setting',
-    frontier: isTie(verdict)
-      ? `tie: ${rival(asExact!.engine)}`
-      : beaten.length > 0
+    frontier:
+      beaten.length > 0
         ? `not ours: ${[...new Set(beaten.map(({ engine }) => rival(engine)))].join(', ')}`
-        : 'ours',
+        : tied.length > 0
+          ? `tie: ${rival(tied[0].engine)}`
+          : 'ours',
   }
 }
