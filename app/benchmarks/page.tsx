@@ -275,8 +275,9 @@ export default function Benchmarks() {
               first six seconds, of a pour of 250 and more its first four, and the median of {results.rounds}{' '}
               rounds{spreads}. Some are timed once: large pours at other settings than the default, engines
               whose run takes longer than 0.2&nbsp;s and more than twice as long as ours, and what there was
-              no time to repeat. The raw data gives the rounds of each. Differences under five per cent count
-              as none, and errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight as zero.
+              no time to repeat. The raw data gives the rounds of each. What is compared are these medians,
+              not single rounds: differences under five per cent count as none, and so do errors below 10⁻⁹ px
+              or 10⁻⁴ of a pile’s weight.
             </li>
           </ul>
           <Title id="seeds" />
