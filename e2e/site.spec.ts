@@ -196,7 +196,7 @@ for (const size of [
     const words = [
       'A React component whose children drop in',
       /^\d+\.\d kB not counting React and cn$/,
-      /^\d+ µs a frame of 60 chips$/,
+      /^\d+ µs of physics a frame, 60 chips$/,
       /^0 frames at rest$/,
     ]
     for (const word of words) await expect(page.getByText(word)).toBeInViewport({ ratio: 1 })

@@ -1,12 +1,21 @@
 import 'server-only'
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
+import type { BrowserResults } from '@/bench/browser/results'
 import { ours, type Results } from '@/bench/report'
 
-/** µs that a frame of 60 awake chips takes, from the committed benchmark, and the machine it ran on. */
+const read = (file: string) => JSON.parse(readFileSync(join(process.cwd(), 'bench/results', file), 'utf8'))
+
+/** µs that the solver takes for a frame of 60 awake chips, from the committed benchmark, and the machine it ran on. */
 export function costOf60(): { micros: number; cpu: string } {
-  const file = join(process.cwd(), 'bench/results/results.json')
-  const { pourCosts, machine }: Results = JSON.parse(readFileSync(file, 'utf8'))
+  const { pourCosts, machine }: Results = read('results.json')
   const { cost } = pourCosts.find((row) => row.engine === ours && row.chips === 60)!
   return { micros: Math.round(cost!.mean), cpu: machine.cpu }
+}
+
+/** ms of script in a usual frame of a page with 60 chips, physics and all else. */
+export function scriptOf60(): number {
+  const { stages }: BrowserResults = read('browser.json')
+  const drop = stages[ours].drops.find(({ chips, throttle }) => chips === 60 && throttle === 1)!
+  return drop.script.median
 }
