@@ -15,8 +15,10 @@ const frames = 151
 const choices = [1, 2, 3, 6, 12]
 /** px of overlap from which a chip is drawn in alarm, and px at the top of the graph. */
 const visible = 0.5
-const graphTop = 16
+const graphTop = 6
 const graphHeight = 64
+/** px above the graph, for what it shows. */
+const labelHeight = 18
 
 /** The chips that overlap another or the stage by more than `visible`. */
 function overlapping(states: State[]) {
@@ -64,17 +66,17 @@ export function SubstepsFigure() {
         context.beginPath()
         context.moveTo(0, floor)
         overlaps().forEach((overlap, n) => {
-          context.lineTo(x(n), floor - Math.min(1, overlap / graphTop) * (graphHeight - 18))
+          context.lineTo(x(n), floor - Math.min(1, overlap / graphTop) * (graphHeight - labelHeight))
         })
         context.lineTo(stage.width, floor)
         context.fillStyle = palette.alarm
         context.fill()
-        drawLine(context, [x(at), stage.height], [x(at), floor], palette.foreground)
+        drawLine(context, [x(at), stage.height + labelHeight], [x(at), floor], palette.foreground)
         drawText(
           context,
           `worst overlap, 0 to ${graphTop} px`,
           stage.width - 8,
-          stage.height + 18,
+          stage.height + labelHeight - 4,
           palette.muted,
           'right',
         )
