@@ -1,25 +1,18 @@
 import type { Metadata } from 'next'
-import type { ReactNode } from 'react'
-import { Code } from '@/components/code-block'
 import { Command } from '@/components/command'
 import { Hero } from '@/components/hero'
 import { ArrowIcon } from '@/components/icons'
 import { PageTools } from '@/components/page-tools'
-import { heroEffects, heroSnippets } from '@/lib/hero-snippets'
 import { type Fact, facts, pitch, price, ways } from '@/lib/home'
 import { siteUrl } from '@/site.config.mjs'
 
 export const metadata: Metadata = { alternates: { canonical: '/' } }
 
-const snippets = Object.fromEntries(
-  heroEffects.map((effect) => [effect, <Code key={effect} code={heroSnippets[effect]} />]),
-) as Record<(typeof heroEffects)[number], ReactNode>
-
 export default async function Home() {
   return (
     <main id="content" className="mx-auto w-full max-w-[80rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
-        <Hero snippets={snippets}>
+        <Hero>
           <div className="flex min-h-[min(42rem,calc(100svh-15rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-52 max-sm:[@media(scripting:none)]:pb-[28rem]">
             <h1 className="text-balance font-semibold text-5xl tracking-[-0.045em] sm:text-7xl">
               {pitch.title}

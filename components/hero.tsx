@@ -2,9 +2,10 @@
 
 import { type ReactNode, useRef, useState } from 'react'
 import { classes } from '@/lib/classes'
-import type { HeroEffect } from '@/lib/hero-snippets'
+import { type HeroAction, heroActions, heroCode } from '@/lib/hero-code'
 import { tints } from '@/lib/tints'
 import { CopyButton } from './copy-button'
+import { LiveCode } from './live-code'
 import { GravityStack, type GravityStackActions } from './ui/gravity-stack'
 
 // Larger where a pile of large chips stays clear of the words above it.
@@ -28,16 +29,13 @@ const chips: [words: string, shape: string][] = [
   ['reads in order', card],
 ]
 
-/** The component as its own pitch: `children` stand before the pile, `snippets` say what each button does. */
-export function Hero({
-  snippets,
-  children,
-}: {
-  snippets: Record<HeroEffect, ReactNode>
-  children: ReactNode
-}) {
+const button =
+  'rounded-full border px-3.5 py-1.5 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground'
+
+/** The component as its own pitch: `children` stand before the pile, below it the code for what its buttons have done. */
+export function Hero({ children }: { children: ReactNode }) {
   const actions = useRef<GravityStackActions>(null)
-  const [shown, setShown] = useState<HeroEffect>('drop')
+  const [action, setAction] = useState<HeroAction>()
   const [neutral, setNeutral] = useState(false)
   const [heavier, setHeavier] = useState(false)
   const [bouncier, setBouncier] = useState(false)
@@ -45,26 +43,21 @@ export function Hero({
   // The new gravity or bounce reaches the stage with the next render.
   const drop = () => requestAnimationFrame(() => actions.current?.drop())
 
-  // What has a `pressed` is a setting that stays; the others act once.
-  const effects: { effect: HeroEffect; label: string; pressed?: boolean; perform: () => void }[] = [
-    { effect: 'drop', label: 'Drop again', perform: drop },
-    { effect: 'shake', label: 'Shake', perform: () => actions.current?.shake() },
-    { effect: 'tinted', label: 'Tinted', pressed: !neutral, perform: () => setNeutral(false) },
-    { effect: 'neutral', label: 'Neutral', pressed: neutral, perform: () => setNeutral(true) },
+  const settings: { label: string; pressed: boolean; set: () => void }[] = [
+    { label: 'Tinted', pressed: !neutral, set: () => setNeutral(false) },
+    { label: 'Neutral', pressed: neutral, set: () => setNeutral(true) },
     {
-      effect: 'heavier',
       label: 'Heavier',
       pressed: heavier,
-      perform() {
+      set() {
         setHeavier(!heavier)
         drop()
       },
     },
     {
-      effect: 'bouncier',
       label: 'Bouncier',
       pressed: bouncier,
-      perform() {
+      set() {
         setBouncier(!bouncier)
         drop()
       },
@@ -100,29 +93,42 @@ export function Hero({
 
       <div className="code border-t">
         <div data-print="hide" className="flex flex-wrap items-center gap-1.5 border-b p-2 sm:px-3">
-          {effects.map(({ effect, label, pressed, perform }) => (
+          {Object.entries(heroActions).map(([name, label]) => (
             <button
-              key={effect}
+              key={name}
               type="button"
-              aria-pressed={pressed}
               onClick={() => {
-                // A setting that is taken back leaves a drop with the usual ones.
-                setShown((effect === 'heavier' || effect === 'bouncier') && pressed ? 'drop' : effect)
-                perform()
+                setAction(name as HeroAction)
+                actions.current?.[name as HeroAction]()
               }}
-              className="rounded-full px-3.5 py-1.5 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground aria-pressed:bg-foreground aria-pressed:text-background"
+              className={button}
             >
               {label}
             </button>
           ))}
+          <span aria-hidden="true" className="mx-1.5 h-5 border-l" />
+          {settings.map(({ label, pressed, set }) => (
+            <button
+              key={label}
+              type="button"
+              aria-pressed={pressed}
+              onClick={set}
+              className={classes(
+                button,
+                'border-transparent aria-pressed:bg-foreground aria-pressed:text-background',
+              )}
+            >
+              {label}
+            </button>
+          ))}
+          <span className="hidden px-2 text-muted-foreground text-sm motion-reduce:inline">
+            Motion is off, as your system asks.
+          </span>
           <CopyButton className="ml-auto" />
         </div>
-        <div className="grid grid-cols-[minmax(0,1fr)] *:col-start-1 *:row-start-1">
-          {effects.map(({ effect }) => (
-            <div key={effect} inert={effect !== shown} className={classes(effect !== shown && 'invisible')}>
-              {snippets[effect]}
-            </div>
-          ))}
+        {/* As high as its longest code, so that nothing below moves with a press. */}
+        <div className="[&>pre]:min-h-[calc(12lh+2rem)]">
+          <LiveCode code={heroCode({ neutral, heavier, bouncier }, action)} />
         </div>
       </div>
     </div>

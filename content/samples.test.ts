@@ -5,28 +5,30 @@ import postcss from 'postcss'
 import { createElement, type FunctionComponent } from 'react'
 import { renderToStaticMarkup } from 'react-dom/server'
 import { expect, test } from 'vitest'
-import { heroSnippets } from '@/lib/hero-snippets'
+import { heroCode } from '@/lib/hero-code'
 import { codeOf, defaults } from '@/lib/playground'
 
 const root = process.cwd()
 const folder = join(root, '.contentlayer/samples')
 
+const usualImports = `import { useRef } from 'react'
+import { GravityStack, type GravityStackActions } from '@/components/ui/gravity-stack'
+`
+
 /** A sample that is no module of its own, such as a bit of JSX, in the module its reader would put it in. */
 function asModule(code: string) {
-  if (/^(import|export|'use client')/m.test(code)) return code
-  const at = code.search(/^</m)
-  return `import { useRef } from 'react'
-import { GravityStack, type GravityStackActions } from '@/components/ui/gravity-stack'
-
+  if (/^(export|'use client')/m.test(code)) return code
+  const ownImports = code.match(/^import .*\n/gm)
+  const body = code.replace(/^import .*\n/gm, '')
+  const at = body.search(/^</m)
+  return `${ownImports?.join('') ?? usualImports}
 const words = ['one', 'two']
 const chips = words.map((word) => <span key={word}>{word}</span>)
 
 export function Sample() {
-  ${code.slice(0, at)}
-  return <>${code.slice(at)}</>
+  ${body.slice(0, at)}
+  return <>${body.slice(at)}</>
 }
-
-export const used = { useRef, chips, action: null as GravityStackActions | null, GravityStack }
 `
 }
 
@@ -46,7 +48,10 @@ const pages = readdirSync('content/docs').map((file) => [
 const samples = new Map([
   ...fences('readme', readFileSync('README.md', 'utf8')),
   ...pages.flatMap(([file, text]) => fences(file.replace('.mdx', ''), text)),
-  ...Object.entries(heroSnippets).map(([effect, code]) => [`home-${effect}`, code] as const),
+  ['home', heroCode({ neutral: false, heavier: false, bouncier: false })],
+  ['home-set', heroCode({ neutral: true, heavier: true, bouncier: true })],
+  ['home-drop', heroCode({ neutral: false, heavier: true, bouncier: false }, 'drop')],
+  ['home-shake', heroCode({ neutral: true, heavier: false, bouncier: true }, 'shake')],
   ['playground', codeOf(defaults)],
   ['playground-mixed', codeOf({ ...defaults, shape: 'mixed', words: "it's, \\, `$(x)`", gravity: 900 })],
   ['playground-ink', codeOf({ ...defaults, look: 'ink', interactive: false })],

@@ -595,8 +595,8 @@ test('the home page performs what its buttons say and shows the code for it', as
   await expect(page.getByText('bg-amber-300')).toBeVisible()
   await expect.poll(colour).toBe(tinted)
   const moves = {
-    'Drop again': 'stack.current?.drop()',
-    Shake: 'stack.current?.shake()',
+    'Drop again': 'actions.current?.drop()',
+    Shake: 'actions.current?.shake()',
     Heavier: 'gravity={6000}',
     Bouncier: 'bounce={0.7}',
   }
@@ -606,6 +606,9 @@ test('the home page performs what its buttons say and shows the code for it', as
     await expect(stage).toHaveAttribute('data-state', 'running')
     await expect(page.getByText(code)).toBeVisible()
   }
+  // The code is of all that is set, not of the last press alone.
+  for (const code of ['bg-amber-300', 'gravity={6000} bounce={0.7}', 'import { useRef }'])
+    await expect(page.getByText(code)).toBeVisible()
 })
 
 test('on the home page an action is not left pressed, and leaves what was set as it is', async ({ page }) => {
@@ -624,7 +627,7 @@ test('on the home page an action is not left pressed, and leaves what was set as
   await page.getByRole('button', { name: 'Heavier' }).click()
   await expect(stage).toHaveAttribute('data-state', 'running')
   await expect(pressed).toHaveText(['Neutral'])
-  await expect(page.getByText('gravity={6000}')).toBeHidden()
+  await expect(page.getByText('gravity={6000}')).toHaveCount(0)
 })
 
 test('the tints of the home page are those in its code', async ({ page }) => {

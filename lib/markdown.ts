@@ -5,7 +5,7 @@ import { verdicts } from '@/bench/report'
 import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
-import { heroEffects, heroSnippets } from './hero-snippets'
+import { heroCode } from './hero-code'
 import { facts, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
 import { readActions, readProps } from './props'
@@ -107,10 +107,10 @@ const home = async () =>
     pitch.lead,
     add('gravity-stack'),
     (await facts()).map(({ figure, title, text }) => `- **${figure}** ${title}. ${text}`).join('\n'),
-    ...heroEffects.flatMap((effect) => [
-      `## ${effect[0].toUpperCase()}${effect.slice(1)}`,
-      fence('tsx', heroSnippets[effect]),
-    ]),
+    '## In code',
+    fence('tsx', heroCode({ neutral: false, heavier: false, bouncier: false })),
+    'With neutral surfaces, more gravity, more bounce, and a button:',
+    fence('tsx', heroCode({ neutral: true, heavier: true, bouncier: true }, 'drop')),
     '## On from here',
     [...ways, { title: 'Docs', href: '/docs', text: 'All pages.' }]
       .map(({ title, href, text }) => `- [${title}](${twinOf(href)}): ${text}`)
