@@ -38,6 +38,7 @@ export function GravityStackActionsDemo() {
         <button type="button" className={button} onClick={() => actions.current?.resume()}>
           Resume
         </button>
+        <span className="hidden text-sm motion-reduce:inline">Motion is off, as your system asks.</span>
         <span className="ml-auto text-sm tabular-nums">settled {settled}×</span>
       </div>
       <GravityStack className="h-64" actionsRef={actions} onSettle={() => setSettled((count) => count + 1)}>
