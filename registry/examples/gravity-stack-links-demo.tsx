@@ -19,7 +19,7 @@ export function GravityStackLinksDemo() {
         <a
           key={address}
           href={address}
-          className="rounded-lg border border-neutral-300 bg-white px-4 py-2 font-medium text-neutral-900 text-sm underline decoration-neutral-400 underline-offset-4 hover:decoration-current dark:border-neutral-700 dark:bg-neutral-900 dark:text-neutral-100"
+          className="rounded-lg border border-neutral-300 bg-white px-4 py-2 font-medium text-neutral-900 text-sm underline decoration-neutral-400 underline-offset-4 hover:decoration-current focus-visible:-outline-offset-2 dark:border-neutral-700 dark:bg-neutral-900 dark:text-neutral-100"
         >
           {title}
         </a>
