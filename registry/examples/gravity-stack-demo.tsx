@@ -1,16 +1,7 @@
 import { GravityStack } from '@/components/ui/gravity-stack'
 
-const words = [
-  'Sketch',
-  'Wireframe',
-  'Prototype',
-  'User test',
-  'Copy',
-  'Motion',
-  'Handoff',
-  'Launch',
-  'Retro',
-]
+const words = `Sketch Wireframe Prototype Interview Copy Motion Handoff Launch Retro
+Persona Grid Type Icon Token Audit Draft Merge Ship`.split(/\s/)
 
 export function GravityStackDemo() {
   return (

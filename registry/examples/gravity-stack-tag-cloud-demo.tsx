@@ -17,7 +17,7 @@ const tags = [
 
 /** Added children drop onto the pile; removed ones vanish and what lay on them falls. The others stay where they are. */
 export function GravityStackTagCloudDemo() {
-  const [chosen, setChosen] = useState(['design', 'types'])
+  const [chosen, setChosen] = useState(tags.slice(0, 6))
 
   const toggle = (tag: string) =>
     setChosen(chosen.includes(tag) ? chosen.filter((other) => other !== tag) : [...chosen, tag])
