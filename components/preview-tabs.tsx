@@ -42,7 +42,11 @@ export function PreviewTabs({ name, code, again }: { name: string; code: ReactNo
       <div className="grid min-w-0 grid-cols-[minmax(0,1fr)] *:col-start-1 *:row-start-1">
         <div
           {...panel('preview')}
-          className={classes('mb-3 border-b bg-stage', tab !== 'preview' && 'invisible')}
+          // What a footer stands on is the end of the page.
+          className={classes(
+            'not-has-[footer]:mb-3 not-has-[footer]:border-b bg-stage',
+            tab !== 'preview' && 'invisible',
+          )}
         >
           <Demo name={name} drop={drop} />
         </div>

@@ -6,6 +6,9 @@ const words = 'Thanks for reading all the way down here'.split(' ')
 export function GravityStackFooterDemo() {
   return (
     <footer className="w-full bg-neutral-950 text-neutral-100">
+      <p className="border-neutral-800 border-b px-6 py-4 text-neutral-300 text-sm">
+        © Your company, all rights tossed
+      </p>
       <GravityStack className="h-72" gravity={1800} bounce={0.3}>
         {words.map((word, index) => (
           <span
@@ -18,9 +21,6 @@ export function GravityStackFooterDemo() {
           </span>
         ))}
       </GravityStack>
-      <p className="border-neutral-800 border-t px-6 py-4 text-neutral-300 text-sm">
-        © Your company, all rights tossed
-      </p>
     </footer>
   )
 }
