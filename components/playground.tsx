@@ -286,6 +286,8 @@ export function Playground() {
     presses.current.delete(event.pointerId)
   }
 
+  // Contacts outlast their work: on a stage at rest nothing is done about them.
+  const done = work.resting ? idle : work
   const hint = 'absolute inset-0 grid place-items-center p-6 text-center text-muted-foreground text-sm'
   const button =
     'rounded-md border px-3 py-1.5 text-sm transition-colors hover:bg-muted aria-pressed:border-foreground aria-pressed:bg-foreground aria-pressed:text-background'
@@ -378,12 +380,12 @@ export function Playground() {
         </div>
         <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
           {Object.entries({
-            'awake chips': work.resting ? 0 : work.awake,
-            pairs: work.pairs,
-            contacts: work.contacts,
-            islands: work.islands,
-            'sub-steps': work.substeps,
-            'µs a step': Math.round(work.micros).toLocaleString('en'),
+            'awake chips': done.awake,
+            pairs: done.pairs,
+            contacts: done.contacts,
+            islands: done.islands,
+            'sub-steps, all islands': done.substeps,
+            'µs a step': Math.round(done.micros).toLocaleString('en'),
           }).map(([name, value]) => (
             <div key={name} className="flex gap-2">
               <dt>{name}</dt>
@@ -393,8 +395,9 @@ export function Playground() {
         </dl>
         {overlay && (
           <p className="border-t px-4 py-3 text-muted-foreground text-sm">
-            Chips that touch are one island and share a colour; grey with a dashed outline is asleep. Dots are
-            contact points, lines what pushes there: {weightLength} px are the weight of a mean chip.
+            Chips that touch are one island and share a colour; grey with a dashed outline is asleep. Red dots
+            are contact points; each line is the force there, {weightLength} px for the weight of an average
+            chip.
           </p>
         )}
       </div>
@@ -433,6 +436,7 @@ export function Playground() {
           />
           <span className="font-mono text-[0.8125rem]">interactive</span>
         </label>
+        <p className="-mt-3 text-muted-foreground">Dragging only; a tap’s hop is the component’s own.</p>
         <button
           type="button"
           className={button}
