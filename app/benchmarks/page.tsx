@@ -242,8 +242,8 @@ export default function Benchmarks() {
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
             Sixty pills poured by Gravity Stack, Matter and Rapier at two settings each, in a worker of this
             page. All are warmed up before any is timed, then they take turns, and each cost is the median of
-            nine pours. On a laptop it takes ten to twenty seconds; Rapier’s 1.3 MB load only when you start
-            it.
+            nine pours. It takes ten to twenty seconds on a fast laptop, a minute on a slow one; close what
+            else is at work. Rapier’s 1.3 MB load only when you start it.
           </p>
           <div className="mt-6">
             <RunOnDevice />
