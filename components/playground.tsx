@@ -491,7 +491,7 @@ function Range({
   onChange: (next: Partial<Settings>) => void
 }) {
   const [min, max, step] = ranges[of]
-  const said = unit ? `${value}\u00a0${unit}` : String(value)
+  const said = [value.toLocaleString('en'), unit].filter(Boolean).join('\u00a0')
   return (
     <Field
       label={

@@ -100,7 +100,11 @@ export const HardScenesTable = () => (
 /** What a cell says, for the page and its Markdown alike. */
 export function cellsOf({ value, unit, bound }: Row) {
   const missed = bound !== undefined && !(value <= bound)
-  return { figure: shortFigure(value, unit), bound: bound === undefined ? '–' : shortFigure(bound, unit), missed }
+  return {
+    figure: shortFigure(value, unit),
+    bound: bound === undefined ? '–' : shortFigure(bound, unit),
+    missed,
+  }
 }
 
 /** Misses in 100,000 scenes, from a run that takes too long to repeat with each change. */

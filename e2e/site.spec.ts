@@ -263,7 +263,7 @@ test('with text twice as large, a phone keeps the buttons of the header and of a
 test('a slider says its value once, with its unit', async ({ page }) => {
   await page.goto('/playground')
   const slider = (name: string) => page.getByRole('slider', { name, exact: true })
-  await expect(slider('gravity')).toHaveAttribute('aria-valuetext', /^2600\spx\/s²$/)
+  await expect(slider('gravity')).toHaveAttribute('aria-valuetext', /^2,600\spx\/s²$/)
   await expect(slider('bounce')).toHaveAttribute('aria-valuetext', '0.18')
   await page.goto('/docs/how-it-works')
   await expect(slider('Distance from the centre')).toHaveAttribute('aria-valuetext', /^70\spx$/)

@@ -211,7 +211,7 @@ export function Slider({
   onChange: (value: number) => void
 }) {
   const id = useId()
-  const said = unit ? `${value}\u00a0${unit}` : String(value)
+  const said = [value.toLocaleString('en'), unit].filter(Boolean).join('\u00a0')
   return (
     <div className="min-w-[min(10rem,100%)] flex-1">
       <div className="flex justify-between gap-4">
