@@ -109,7 +109,7 @@ const rows: Row[] = [
     value: ({ shift }) => figure(shift),
   },
   {
-    name: 'Script of the stage and its chips, all but React and cn, minified and compressed, kB',
+    name: 'Script of the stage and of the pills on the measured page, all but React and cn, minified and compressed, kB',
     goal: '12',
     met: ({ bytes }) => bytes <= 12_000,
     value: ({ bytes }) => (bytes / 1000).toFixed(1),
