@@ -39,12 +39,17 @@ export function Mark({ engine }: { engine: string }) {
 /** An engine's name behind its mark. */
 export function EngineName({ engine }: { engine: string }) {
   return (
-    <>
-      <svg aria-hidden="true" viewBox="-7 -7 14 14" className="mr-2 inline size-3.5 align-[-0.15em]">
+    // A long name goes on beside its mark, not below it.
+    <span className="inline-flex items-baseline">
+      <svg
+        aria-hidden="true"
+        viewBox="-7 -7 14 14"
+        className="relative top-[0.15em] mr-2 inline size-3.5 shrink-0"
+      >
         <Mark engine={engine} />
       </svg>
       {looks[engine].title}
-    </>
+    </span>
   )
 }
 
