@@ -12,7 +12,8 @@ export const metadata: Metadata = {
   title: { default: 'Gravity Stack: words with weight, for React', template: '%s · Gravity Stack' },
   description:
     'A React component whose children drop in, tumble and settle into a pile that people can grab and toss. Its own rigid-body solver, in the one file you copy.',
-  openGraph: { type: 'website', siteName: 'Gravity Stack' },
+  // The address of each page, whichever it is.
+  openGraph: { type: 'website', siteName: 'Gravity Stack', url: './' },
   twitter: { card: 'summary_large_image' },
 }
 
