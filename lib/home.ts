@@ -41,7 +41,7 @@ export async function facts(): Promise<Fact[]> {
     {
       figure: `${cost.micros} µs`,
       title: 'of physics a frame, 60 chips awake',
-      text: `The solver alone, in Node on ${cost.cpu}; with the page around it ${scriptOf60().toFixed(1)} ms of script. Beside six other engines and against exact answers.`,
+      text: `The solver alone, in Node on ${cost.cpu}; with the page around it, in a browser, ${scriptOf60().toFixed(1)} ms of script. Beside six other engines and against exact answers.`,
       more: { title: 'Benchmarks', href: '/benchmarks' },
     },
   ]
