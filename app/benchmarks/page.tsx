@@ -685,11 +685,10 @@ function Weights() {
       rows={results.bytes.map((row) => {
         const engine = engineOf(row.name)
         return [
-          <span key="engine">
-            <EngineName engine={engine ?? ours} />
+          <EngineName key="engine" engine={engine ?? ours}>
             {engine === ours && ', the solver alone'}
             {!engine && ', the whole component'}
-          </span>,
+          </EngineName>,
           <span key="bytes" className="flex items-center gap-3">
             <span className="w-14 text-right">
               {(row.gzip / 1000).toLocaleString('en', { minimumFractionDigits: 1, maximumFractionDigits: 1 })}

@@ -1,5 +1,5 @@
 import { scaleLog } from 'd3-scale'
-import { useId } from 'react'
+import { type ReactNode, useId } from 'react'
 import { figure } from '@/lib/figure'
 import { engineOrder, looks } from './engines'
 
@@ -36,8 +36,8 @@ export function Mark({ engine }: { engine: string }) {
   )
 }
 
-/** An engine's name behind its mark. */
-export function EngineName({ engine }: { engine: string }) {
+/** An engine's name behind its mark, and what else is said of it. */
+export function EngineName({ engine, children }: { engine: string; children?: ReactNode }) {
   return (
     // A long name goes on beside its mark, not below it.
     <span className="inline-flex items-baseline">
@@ -49,6 +49,7 @@ export function EngineName({ engine }: { engine: string }) {
         <Mark engine={engine} />
       </svg>
       {looks[engine].title}
+      {children}
     </span>
   )
 }
