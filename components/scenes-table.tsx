@@ -49,7 +49,8 @@ function Rows({ label, bound, scenes }: { label: string; bound: string; scenes: 
                 </th>
                 <td className="whitespace-nowrap px-2.5 py-1 sm:px-4 tabular-nums">{figure}</td>
                 <td className="px-2.5 py-1 sm:px-4 text-muted-foreground tabular-nums">
-                  {bound}
+                  {/* On a narrow phone a unit may go on the next line. */}
+                  {bound.replaceAll('\u00a0', ' ')}
                   {missed && <strong className="font-medium text-foreground"> missed</strong>}
                 </td>
               </tr>
