@@ -10,11 +10,11 @@ export const FRICTION = 0.4
 export const LINEAR_DAMPING = 0.35
 export const ANGULAR_DAMPING = 1.4
 /**
- * Rolling resistance: its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds. Its lever is
- * shorter, the longer a chip is for its width: else pills would stand on their ends.
+ * Rolling resistance: twice its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds.
+ * Of a long chip it has a lever of up to 0.017 of the length, which no rolling has: it also holds back the rocking that lagging arms feed.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
-export const ROLLING = 0.05
+export const ROLLING = 0.1
 export const ROLLING_SHARE = 0.2
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90

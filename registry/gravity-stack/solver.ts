@@ -123,9 +123,7 @@ export function kick(scene: Scene, list: Int32Array, from: number, to: number, a
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
-    const narrow = narrowest(shape, i)
-    const lever = (rolling * narrow * narrow) / shape[i * SHAPE + EXTENT]
-    const grip = (lever * (Math.abs(pushX) + Math.abs(pushY)) * state[s + INV_INERTIA]) / state[s + INV_MASS]
+    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
     let toSpin = spinAir.fade * spin + pushSpin
     let brake = motion[m + BRAKE]
     brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))

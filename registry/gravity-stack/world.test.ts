@@ -63,30 +63,6 @@ describe('what falls for long', () => {
   })
 })
 
-describe('what is out of balance', () => {
-  it('a pill that stands on its round end and leans falls over', () => {
-    for (const [width, height, lean] of [
-      [80, 32, 0.03],
-      [140, 12, 0.01],
-    ]) {
-      const radius = height / 2
-      const y = stage.height - radius - (width / 2 - radius) * Math.cos(lean)
-      const { world, ids } = worldOf([{ width, height, radius, x: 320, y, angle: Math.PI / 2 + lean }])
-      settle(world)
-      expect(world.resting).toBe(true)
-      expect(Math.abs(Math.sin(world.read(ids[0]).angle))).toBeLessThan(0.01)
-    }
-  })
-
-  it('a bar that lies on a disc, its centre 2 px beside, tips over', () => {
-    const disc = { width: 60, height: 60, radius: 30, x: 320, y: stage.height - 30, angle: 0, density: 10 }
-    const bar = { width: 160, height: 40, radius: 6, x: 322, y: stage.height - 80, angle: 0 }
-    const { world, ids } = worldOf([disc, bar])
-    settle(world)
-    expect(Math.abs(world.read(ids[1]).angle)).toBeGreaterThan(0.1)
-  })
-})
-
 describe('a pile that is poured', () => {
   const kinds: Kind[] = ['pills', 'badges', 'mixed']
   const seeds = Array.from({ length: 12 }, (_, i) => i + 1)
