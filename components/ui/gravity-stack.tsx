@@ -178,6 +178,8 @@ const GRAB_SAG = 4
 /** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
 const THROW_WINDOW = 0.08
 const THROW_SLACK = 16
+/** px/s of the pointer from which a chip leaves with its velocity alone. */
+const THROW_SPEED = 200
 /** px/s, the most a chip keeps when it is let go. */
 const MAX_TOSS = 1800
 
@@ -988,8 +990,8 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
 }
 
 /**
- * Sets the velocity with which the body leaves: its grabbed point with the pointer's, fitted to its own timestamps, if it kept up with
- * it. The centre does not, as what swings below the hand swings on. Another hand that still holds the body decides alone.
+ * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; below
+ * `THROW_SPEED` the less of that, the slower, as what swings below a hand that stands still swings on. Another hand that still holds the body decides alone.
  */
 function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
@@ -1020,9 +1022,11 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
       const offY = s[i + Y] + arm[1] - hold.y
       // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx + s[i + SPIN] * arm[1]
-        s[i + VY] = vy - s[i + SPIN] * arm[0]
+      const speed = Math.sqrt(vx * vx + vy * vy)
+      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * speed) {
+        const share = Math.min(1, speed / THROW_SPEED)
+        s[i + VX] += share * (vx - s[i + VX])
+        s[i + VY] += share * (vy - s[i + VY])
       }
     }
   }
@@ -3209,7 +3213,7 @@ interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the grabbed point leaves with the pointer's velocity if it kept up with it, else the body with its own; at most `MAX_TOSS`.
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is slow, with its own; at most `MAX_TOSS`.
    * A body that another hand still holds is not thrown.
    */
   release(): void

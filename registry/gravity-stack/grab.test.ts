@@ -240,8 +240,23 @@ describe('a chip let go', () => {
       grab.release()
       const after = world.read(ids[0])
       expect(Math.hypot(before.vx, before.vy)).toBeGreaterThan(100)
-      expect(Math.hypot(after.vx - before.vx, after.vy - before.vy)).toBeLessThan(20)
+      expect([after.vx, after.vy]).toEqual([before.vx, before.vy])
       expect(after.spin).toBe(before.spin)
+    }
+  })
+
+  it('leaves with the speed of the pointer however it swings below a hand that tosses it', () => {
+    for (const frames of [6, 12, 18, 24]) {
+      const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+      const grab = world.grab(ids[0], 350, 100)
+      grab.moveTo(350, 100, 0)
+      run(world, 1)
+      for (let k = 1; k <= frames; k++) {
+        grab.moveTo(350 + 500 * k * frame, 100, 1 + k * frame)
+        world.step(frame)
+      }
+      grab.release()
+      expect(world.read(ids[0]).vx).toBeCloseTo(500, 0)
     }
   })
 

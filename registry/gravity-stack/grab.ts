@@ -27,6 +27,7 @@ import {
   MAX_TOSS,
   STEP,
   THROW_SLACK,
+  THROW_SPEED,
   THROW_WINDOW,
 } from './constants'
 
@@ -170,8 +171,8 @@ export function recordHold(hold: Hold, x: number, y: number, seconds: number): v
 }
 
 /**
- * Sets the velocity with which the body leaves: its grabbed point with the pointer's, fitted to its own timestamps, if it kept up with
- * it. The centre does not, as what swings below the hand swings on. Another hand that still holds the body decides alone.
+ * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; below
+ * `THROW_SPEED` the less of that, the slower, as what swings below a hand that stands still swings on. Another hand that still holds the body decides alone.
  */
 export function throwVelocity(bodies: Bodies, hold: Hold): void {
   const s = bodies.state
@@ -202,9 +203,11 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
       const offY = s[i + Y] + arm[1] - hold.y
       // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
-      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * Math.sqrt(vx * vx + vy * vy)) {
-        s[i + VX] = vx + s[i + SPIN] * arm[1]
-        s[i + VY] = vy - s[i + SPIN] * arm[0]
+      const speed = Math.sqrt(vx * vx + vy * vy)
+      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * speed) {
+        const share = Math.min(1, speed / THROW_SPEED)
+        s[i + VX] += share * (vx - s[i + VX])
+        s[i + VY] += share * (vy - s[i + VY])
       }
     }
   }

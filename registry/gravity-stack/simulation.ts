@@ -74,7 +74,7 @@ export interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the grabbed point leaves with the pointer's velocity if it kept up with it, else the body with its own; at most `MAX_TOSS`.
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is slow, with its own; at most `MAX_TOSS`.
    * A body that another hand still holds is not thrown.
    */
   release(): void
