@@ -1,8 +1,13 @@
 import { test as base, type Page } from '@playwright/test'
 
-/** Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page. */
+/**
+ * Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page, down to its
+ * last part. It begins as soon as some of its scripts are there, and a press before the others have come is lost.
+ */
 export const alive = (page: Page) =>
-  page.waitForFunction(() => Object.keys(document).some((key) => key.startsWith('__reactContainer')))
+  page.waitForFunction(() =>
+    Object.keys(document.documentElement).some((key) => key.startsWith('__reactProps')),
+  )
 
 /** Holds back the scripts of a page until what it returns is called. */
 export async function withhold(page: Page, scripts: string) {
