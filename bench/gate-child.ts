@@ -1,5 +1,5 @@
 // Measures everything the gate holds and prints it as JSON.
-import { gated } from './gate'
+import { scenes } from '../scenes'
+import { measureScene } from './gate'
 
-const measured = Object.fromEntries(gated.map(({ name, measure }) => [name, measure()]))
-console.log(JSON.stringify(measured))
+console.log(JSON.stringify(Object.fromEntries(scenes.map((scene) => [scene.name, measureScene(scene)]))))

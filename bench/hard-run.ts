@@ -192,24 +192,13 @@ function crossings(plate: number, chips: Chip[], before: Pose[], now: Pose[]) {
   }).length
 }
 
-/** The worst figure of all seeds, for what the scene binds. */
-export function hardFigures(scene: HardScene, seeds = scene.seeds): Partial<HardFigures> {
-  const runs = Array.from({ length: Math.min(seeds, scene.seeds) }, (_, i) => playHardScene(scene, i + 1))
-  return Object.fromEntries(
-    (Object.keys(scene.bounds) as (keyof HardFigures)[]).map((key) => [
-      key,
-      Math.max(...runs.map((run) => run[key])),
-    ]),
-  )
-}
-
 /** A figure of a scene, the worst of its seeds; null is one without bound: never asleep. */
 export type HardRow = { scene: string; figure: string; value: number | null; bound: number }
 
-export function hardRows(scene: HardScene, seeds?: number): HardRow[] {
-  const figures = hardFigures(scene, seeds)
+export function hardRows(scene: HardScene, seeds = scene.seeds): HardRow[] {
+  const runs = Array.from({ length: Math.min(seeds, scene.seeds) }, (_, i) => playHardScene(scene, i + 1))
   return Object.entries(scene.bounds).map(([figure, bound]) => {
-    const value = figures[figure as keyof HardFigures] ?? Number.NaN
+    const value = Math.max(...runs.map((run) => run[figure as keyof HardFigures]))
     return { scene: scene.name, figure, value: Number.isFinite(value) ? value : null, bound }
   })
 }
