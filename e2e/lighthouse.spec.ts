@@ -1,7 +1,7 @@
-import { createServer } from 'node:net'
 import { chromium, expect, test } from '@playwright/test'
 import lighthouse, { type Result } from 'lighthouse'
 import { findBrowser } from '../scripts/browser.mjs'
+import { freePort } from './free-port'
 
 // Lighthouse as it comes: a phone on a slow network, simulated. Its performance score hangs on how busy this machine
 // is, so it is printed; what decides it on an idle one is held here: bytes, requests that block, shifts.
@@ -10,14 +10,6 @@ const pages = [
   { path: '/docs/gravity-stack', kilobytes: 290 },
   { path: '/benchmarks', kilobytes: 330 },
 ]
-
-const freePort = () =>
-  new Promise<number>((resolve) => {
-    const server = createServer().listen(0, () => {
-      const { port } = server.address() as { port: number }
-      server.close(() => resolve(port))
-    })
-  })
 
 type Row = Record<string, unknown>
 const rows = (lhr: Result, audit: string) =>

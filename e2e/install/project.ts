@@ -2,12 +2,12 @@ import { execFile, spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { existsSync } from 'node:fs'
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
-import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
 import { delimiter, dirname, join } from 'node:path'
 import { test as base, expect, type Page } from '@playwright/test'
 import { root } from '../../scripts/run.mjs'
 import { siteUrl } from '../../site.config.mjs'
+import { freePort } from '../free-port'
 
 /** What ours is called on the registry that the site serves. */
 export const item = (name: string) => `${siteUrl}/r/${name}.json`
@@ -127,15 +127,6 @@ export class Project {
       .toBe(true)
     return { url, stop }
   }
-}
-
-async function freePort() {
-  const server = createServer().listen(0)
-  await once(server, 'listening')
-  const address = server.address()
-  server.close()
-  if (typeof address !== 'object' || !address) throw new Error('no port was free')
-  return address.port
 }
 
 /** `make(name)` gives an empty folder to start a project in; it goes when the test has passed, its servers in any case. */
