@@ -16,7 +16,7 @@ const speedCap = 3600
 /** Largest ratio of two masses for which overlap at rest is promised. */
 const massRatio = 400
 
-export type Failure = { check: Check; frame: number; value: number }
+type Failure = { check: Check; frame: number; value: number }
 
 /** What a scene is asked, from what it is: every condition says why a check would be senseless without it. */
 function asked(scene: FuzzScene) {

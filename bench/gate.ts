@@ -3,7 +3,7 @@ import type { Scene } from '../scenes/scene'
 import { ours } from './engines/ours'
 import { filmScene } from './film'
 
-export type SceneBound = { errors: Record<string, number>; work: Record<string, number> }
+type SceneBound = { errors: Record<string, number>; work: Record<string, number> }
 export type Bounds = Record<string, SceneBound>
 
 /** What costs time: pairs measured, contact points solved, sub-steps, sweeps. */

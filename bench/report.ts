@@ -33,7 +33,7 @@ export type MissingRow = {
   atLeast?: number
 }
 
-export type SceneHead = {
+type SceneHead = {
   name: string
   title: string
   seeds: number

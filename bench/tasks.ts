@@ -8,7 +8,7 @@ import type { Job } from './job'
 import { ours } from './report'
 import { bundle, type Outcome, openTurns, root, runJob, spent, type Turns } from './run-job'
 
-export type Task = { job: Job; round: number; key: string }
+type Task = { job: Job; round: number; key: string }
 /** What an engine is timed at in its turns, one after the other, or nothing when it needs no more. */
 export type Player = (turn: number) => Task | null
 

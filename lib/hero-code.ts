@@ -4,7 +4,7 @@ import { tints } from './tints'
 /** What the buttons of the home page do: an action is done once, the rest stays set. */
 export const heroActions = { drop: 'Drop again', shake: 'Shake' } as const
 export type HeroAction = keyof typeof heroActions
-export type HeroSettings = { neutral: boolean; heavier: boolean; bouncier: boolean }
+type HeroSettings = { neutral: boolean; heavier: boolean; bouncier: boolean }
 
 const quote = (text: string) => `'${text}'`
 

@@ -1,4 +1,4 @@
-export type Observed = {
+type Observed = {
   shift: number
   /** ms, the slowest of each interaction so far. */
   interactions: Record<string, number>

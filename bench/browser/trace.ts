@@ -2,7 +2,7 @@
 import { median } from '../film'
 import type { FrameCost } from './results'
 
-export type TraceEvent = {
+type TraceEvent = {
   name: string
   cat: string
   ph: string
