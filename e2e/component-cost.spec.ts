@@ -49,6 +49,8 @@ test('a chip is drawn again only when one of its corners has gone a tenth of a p
   }))
   expect(writes).toBeGreaterThan(500)
   expect(smallest).toBeGreaterThanOrEqual(0.1)
+  // And no later than that: what creeps would be seen to jerk.
+  expect(smallest).toBeLessThan(0.15)
 })
 
 test('a frame writes each moved chip once, its transform alone, reads no layout and wakes no observer', async ({
