@@ -29,7 +29,7 @@ const LINEAR_DAMPING = 0.35
 const ANGULAR_DAMPING = 1.4
 /**
  * Rolling resistance: twice its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds.
- * Of a long chip it has a lever of up to 0.017 of the length, which no rolling has: it also holds back the rocking that lagging arms feed.
+ * Of a long chip that leans on others it has a lever of up to 0.017 of the length, which no rolling has: it also holds back the rocking that lagging arms feed.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
 const ROLLING = 0.1
@@ -157,8 +157,7 @@ const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 const REST_DISTANCE = 0.5
 const REST_TIME = 0.5
-/** s for which a group that could sleep is parted first where it is deeper than rest leaves it, and contacts visited for that in a step. */
-const SORTING = 0.1
+/** Contacts visited in a step to part what moved walls or grown chips have pressed together. */
 const STRAIGHTENING = 20_000
 /** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
 const ROOM_ROUNDS = 8
@@ -276,6 +275,8 @@ class Bodies {
   /** Who is awake. */
   awake: Int32Array = new Int32Array(1)
   awakeCount = 0
+  /** Points that bear the body, or that it bears, as its step begins; another chip counts as two. */
+  props: Int32Array = new Int32Array(1)
   /** Hands that hold the body. */
   held: Uint8Array = new Uint8Array(1)
   /** 1 if the body has moved since it was last drawn. */
@@ -907,14 +908,19 @@ function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): voi
 
 /** Prepares the constraint for a sub-step of `h` seconds. */
 function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
+  const at = hold.body * STATE
+  const angle = bodies.state[at + ANGLE]
+  // The arm is that at the end of the sub-step, as at a wall: with the one before, a chip that the hand pulls against one rocks ever faster.
+  bodies.state[at + ANGLE] +=
+    h * (bodies.state[at + SPIN] + 0.5 * bodies.motion[hold.body * MOTION + PUSH_SPIN])
   findArm(bodies, hold)
+  bodies.state[at + ANGLE] = angle
   hold.idle += h
   // In the hand it has no memory of what it rolled on: else it would hang askew.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
-    bodies.state[hold.body * STATE + INV_INERTIA] *
-    ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
+    bodies.state[at + INV_INERTIA] * ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
   hold.rx = arm[0]
   hold.ry = arm[1]
 }
@@ -1978,7 +1984,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
  * Those that move, or were moved, are marked as stirred for the first sweep.
  */
 function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
-  const { state, motion, shape, stirred, moved } = scene.bodies
+  const { state, motion, shape, stirred, moved, props } = scene.bodies
   const { gravity, slow } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -2000,7 +2006,14 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
-    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
+    const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
+    let grip = push / shape[i * SHAPE + EXTENT]
+    // On one point of a wall alone it has the lever of the disc that its corner is: else it would stand on that, leaning on nothing.
+    if (props[i] < 2)
+      grip = Math.min(
+        grip,
+        (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS],
+      )
     let toSpin = spinAir.fade * spin + pushSpin
     let brake = motion[m + BRAKE]
     brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
@@ -2472,23 +2485,17 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
 }
 
 /**
- * Parts the first `bodyCount` bodies of `chips`, which nothing else would part in time: the first `count` contacts of `list` are
- * pushed apart and measured again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it
- * moved anything.
+ * Parts what is awake, which nothing else would part in time: the first `count` contacts of `list` are pushed apart and measured
+ * again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it moved anything.
  */
-function straighten(
-  scene: Scene,
-  list: Int32Array,
-  count: number,
-  chips: Int32Array,
-  bodyCount: number,
-): boolean {
+function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
+  const { awake, awakeCount } = bodies
   touch[WIDEST] = MARGIN
   let stuck = false
-  for (let n = 0; n < bodyCount; n++) {
+  for (let n = 0; n < awakeCount; n++) {
     // A chip that reaches from wall to wall and beyond has no place to go.
-    halfExtents(bodies, chips[n], 0, 0)
+    halfExtents(bodies, awake[n], 0, 0)
     if (2 * extents[X] > walls.width + 2) stuck = true
   }
   let rounds = 0
@@ -2500,7 +2507,7 @@ function straighten(
     const most = Math.min(PARTINGS, visits / count)
     while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
-    for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
+    for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
     visits -= passes * count
     rounds++
   }
@@ -2743,39 +2750,25 @@ function rest(islands: Islands, scene: Scene): void {
       } else if (a > 0) unite(parent, least, a, b)
     }
   }
-  // What is in another when it falls asleep would stay so, and what a blow in this very step has lifted would hang there.
-  // The lists of this step are free by now.
-  let contactCount = 0
-  let deep = false
-  let lifted = false
+  // What a blow in this very step has lifted would hang there.
   for (let n = 0; n < islands.nearCount; n++) {
     const c = islands.near[n]
-    const a = contacts.pair[2 * c]
-    if (!drowsy(islands, contacts.pair[2 * c + 1]) || (a > 0 && !drowsy(islands, a))) continue
-    islands.live[contactCount++] = c
+    const b = contacts.pair[2 * c + 1]
+    if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+    if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
     measure(bodies, contacts, scene.walls, c)
     scene.work[MEASURED]++
-    if (touch[DISTANCE] < -DEEP - SLOP) deep = true
-    const load = contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD]
-    if (touch[DISTANCE] > DEEP + SLOP && load > 0) lifted = true
-  }
-  if (deep || lifted) {
-    let bodyCount = 0
-    for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
-    // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
-    const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
-    if (parted || lifted) for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
+    if (touch[DISTANCE] > DEEP + SLOP) least[find(parent, b)] = 0
   }
   bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
-    if (-least[find(parent, i)] < REST_TIME) awake[bodies.awakeCount++] = i
-    else {
+    if (rested(islands, i)) {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
-    }
+    } else awake[bodies.awakeCount++] = i
   }
 }
 
@@ -2785,10 +2778,9 @@ function moving({ bodies, friction, gravity }: Scene, i: number): boolean {
   return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
 }
 
-/** Whether the group of body `i` could sleep, and could not for long. */
-function drowsy({ parent, reach }: Islands, i: number): boolean {
-  const rested = -reach[find(parent, i)]
-  return rested >= REST_TIME && rested < REST_TIME + SORTING
+/** Whether the whole group of body `i` has kept its place for long enough, once `reach` holds how long. */
+function rested({ parent, reach }: Islands, i: number): boolean {
+  return -reach[find(parent, i)] >= REST_TIME
 }
 
 // step: one step of all that is awake ───────────────────────────────────────────────────────────────────────
@@ -3050,7 +3042,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
   return most
 }
 
-/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
 function warmStart(
   { bodies, contacts, islands }: Simulation,
   b0: number,
@@ -3059,10 +3051,11 @@ function warmStart(
   c1: number,
   grabbed: Hold[],
 ): void {
-  const { motion } = bodies
+  const { motion, props } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
     const m = i * MOTION
+    props[i] = 0
     motion[m + PUSH_X] = 0
     motion[m + PUSH_Y] = 0
     motion[m + PUSH_SPIN] = 0
@@ -3072,7 +3065,11 @@ function warmStart(
     const c = islands.contacts[n]
     const k = c * CONTACT
     d[k + LAG] = 0
-    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) carry(bodies, contacts, c, 1)
+    if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
+    carry(bodies, contacts, c, 1)
+    const a = contacts.pair[2 * c]
+    props[a] += 2
+    props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
   }
   for (const hold of grabbed) carryHold(bodies, hold)
 }
@@ -3088,7 +3085,7 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
  */
 function makeRoom(simulation: Simulation): void {
   const { bodies, contacts, pairs } = simulation
-  const { asleep, awake, awakeCount } = bodies
+  const { asleep } = bodies
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
@@ -3098,7 +3095,7 @@ function makeRoom(simulation: Simulation): void {
     let count = 0
     for (let c = 0; c < contacts.count; c++)
       if (pair[2 * c + 1] > 0 && asleep[pair[2 * c]] + asleep[pair[2 * c + 1]] === 0) list[count++] = c
-    if (!straighten(simulation, list, count, awake, awakeCount)) {
+    if (!straighten(simulation, list, count)) {
       simulation.cramped = 0
       return
     }
@@ -3304,6 +3301,8 @@ function createWorld(options: WorldOptions) {
       walls.height = size(height)
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
+      // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(c)
       scene.cramped = PATIENCE
     },
 
@@ -3420,14 +3419,14 @@ function createWorld(options: WorldOptions) {
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
     bodies.undrawn[i] = 1
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
-    }
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) forgetContact(edge >> 1)
+  }
+
+  function forgetContact(c: number): void {
+    const { data } = contacts
+    const k = c * CONTACT
+    data[k + CLEAR] = data[k + DUE] = -Infinity
+    data[k + POINTS] = data[k + LOAD] = data[k + SECOND + LOAD] = data[k + DRAG] = 0
   }
 }
 

@@ -11,7 +11,7 @@ export const LINEAR_DAMPING = 0.35
 export const ANGULAR_DAMPING = 1.4
 /**
  * Rolling resistance: twice its coefficient for a disc, and the share of a spin by which it grows in a sub-step until it holds.
- * Of a long chip it has a lever of up to 0.017 of the length, which no rolling has: it also holds back the rocking that lagging arms feed.
+ * Of a long chip that leans on others it has a lever of up to 0.017 of the length, which no rolling has: it also holds back the rocking that lagging arms feed.
  * Without it a disc on a level floor rolls on for ten seconds, and a pill rocks as long.
  */
 export const ROLLING = 0.1
@@ -139,8 +139,7 @@ export const IMPACT_TOUCH = 0.05
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 export const REST_DISTANCE = 0.5
 export const REST_TIME = 0.5
-/** s for which a group that could sleep is parted first where it is deeper than rest leaves it, and contacts visited for that in a step. */
-export const SORTING = 0.1
+/** Contacts visited in a step to part what moved walls or grown chips have pressed together. */
 export const STRAIGHTENING = 20_000
 /** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
 export const ROOM_ROUNDS = 8

@@ -77,6 +77,27 @@ describe('a held chip', () => {
     }
   })
 
+  it('hangs still against wall or floor when a hand far beyond them pulls and stands still', () => {
+    const disc = { width: 36, height: 36, radius: 18, angle: 0 }
+    for (const shape of [disc, pill])
+      for (const [toX, toY] of [
+        [800, 200],
+        [-150, 100],
+        [320, 500],
+      ]) {
+        const chip = { ...shape, x: 400, y: floor - shape.height / 2 }
+        const { world, ids } = pile([chip])
+        const grab = world.grab(ids[0], 412, chip.y - 10)
+        for (let k = 1; k <= 30; k++) {
+          grab.moveTo(412 + ((toX - 412) * k) / 30, chip.y - 10 + ((toY - chip.y + 10) * k) / 30, k * frame)
+          world.step(frame)
+        }
+        run(world, 5)
+        const { vx, vy, spin } = world.read(ids[0])
+        expect(Math.hypot(vx, vy) + (shape.width / 2) * Math.abs(spin), `to ${toX}, ${toY}`).toBeLessThan(1)
+      }
+  })
+
   it('follows the pointer across the stage and comes to rest where it stops', () => {
     const { world, ids } = worldOf([{ ...pill, x: 100, y: 100 }])
     const grab = world.grab(ids[0], 100, 100)

@@ -1,4 +1,5 @@
 import {
+  ANGLE,
   type Bodies,
   BRAKE,
   COS,
@@ -88,14 +89,19 @@ function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): voi
 
 /** Prepares the constraint for a sub-step of `h` seconds. */
 export function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
+  const at = hold.body * STATE
+  const angle = bodies.state[at + ANGLE]
+  // The arm is that at the end of the sub-step, as at a wall: with the one before, a chip that the hand pulls against one rocks ever faster.
+  bodies.state[at + ANGLE] +=
+    h * (bodies.state[at + SPIN] + 0.5 * bodies.motion[hold.body * MOTION + PUSH_SPIN])
   findArm(bodies, hold)
+  bodies.state[at + ANGLE] = angle
   hold.idle += h
   // In the hand it has no memory of what it rolled on: else it would hang askew.
   bodies.motion[hold.body * MOTION + BRAKE] = 0
   // The impulse carried over acts at the arm as it is now: with the old one a swing would feed itself.
   bodies.motion[hold.body * MOTION + PUSH_SPIN] +=
-    bodies.state[hold.body * STATE + INV_INERTIA] *
-    ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
+    bodies.state[at + INV_INERTIA] * ((arm[0] - hold.rx) * hold.impulseY - (arm[1] - hold.ry) * hold.impulseX)
   hold.rx = arm[0]
   hold.ry = arm[1]
 }

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest'
+import { halfExtent } from '../../scenes/exact-distance'
 import { hardScenes } from '../../scenes/hard'
 import { frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
@@ -41,6 +42,22 @@ describe('a pile falls asleep', () => {
     const far = struckAfter(10)
     expect(far).toBeGreaterThan(200)
     for (let frames = 20; frames < 34; frames++) expect(struckAfter(frames) / far).toBeCloseTo(1, 1)
+  })
+
+  it('but not a chip on one corner or end, leaning on nothing', () => {
+    const corner = Math.PI / 2 - Math.atan2(28, 80)
+    for (const [radius, balance, lean] of [
+      [0, corner, 1],
+      [8, corner, 2],
+      [14, Math.PI / 2, 2],
+    ]) {
+      const shape = { width: 80, height: 28, radius }
+      const angle = balance - (lean * Math.PI) / 180
+      const y = stage.height - halfExtent(shape, angle)[1]
+      const { world, ids } = worldOf([{ ...shape, x: 320, y, angle }])
+      settle(world)
+      expect(Math.abs(Math.sin(world.read(ids[0]).angle)), `radius ${radius}`).toBeLessThan(0.01)
+    }
   })
 
   it('with all its speed gone', () => {
@@ -135,6 +152,23 @@ describe('a sleeping pile wakes', () => {
       expect(world.resting).toBe(false)
       expect(settle(world, 600)).toBeLessThan(600)
       expect(world.read(ids[0]).y).toBeCloseTo(height - 20, 1)
+    }
+  })
+
+  it('when the floor goes down by less than two pixels, and stands on it again', () => {
+    for (const down of [0.2, 0.6, 1, 1.4, 1.9]) {
+      const chips = [
+        { width: 60, height: 30, radius: 15, x: 120, y: 325, angle: 0 },
+        { width: 30, height: 30, radius: 15, x: 300, y: 325, angle: 0 },
+        { width: 60, height: 30, radius: 0, x: 480, y: 325, angle: 0 },
+        { width: 40, height: 30, radius: 6, x: 480, y: 295, angle: 0 },
+      ]
+      const { world, ids } = worldOf(chips)
+      settle(world)
+      world.resize(640, 340 + down)
+      settle(world)
+      const tops = readAll(world, ids).map(({ y }) => y - down)
+      for (const [i, y] of tops.entries()) expect(y, `chip ${i}, ${down} px`).toBeCloseTo(chips[i].y, 1)
     }
   })
 

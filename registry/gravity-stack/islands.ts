@@ -16,7 +16,7 @@ import {
   Y,
 } from './body'
 import { DISTANCE, touch, WIDEST } from './collide'
-import { DEEP, FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, SLOP, SORTING, STEP } from './constants'
+import { DEEP, FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, SLOP, STEP } from './constants'
 import {
   CLEAR,
   CONTACT,
@@ -31,7 +31,6 @@ import {
   SECOND,
 } from './contacts'
 import { pull } from './grab'
-import { straighten } from './solver'
 
 /**
  * Who may touch whom within the step. Bodies that may are one island and are solved together; a body alone in the air
@@ -267,39 +266,25 @@ export function rest(islands: Islands, scene: Scene): void {
       } else if (a > 0) unite(parent, least, a, b)
     }
   }
-  // What is in another when it falls asleep would stay so, and what a blow in this very step has lifted would hang there.
-  // The lists of this step are free by now.
-  let contactCount = 0
-  let deep = false
-  let lifted = false
+  // What a blow in this very step has lifted would hang there.
   for (let n = 0; n < islands.nearCount; n++) {
     const c = islands.near[n]
-    const a = contacts.pair[2 * c]
-    if (!drowsy(islands, contacts.pair[2 * c + 1]) || (a > 0 && !drowsy(islands, a))) continue
-    islands.live[contactCount++] = c
+    const b = contacts.pair[2 * c + 1]
+    if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+    if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
     measure(bodies, contacts, scene.walls, c)
     scene.work[MEASURED]++
-    if (touch[DISTANCE] < -DEEP - SLOP) deep = true
-    const load = contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD]
-    if (touch[DISTANCE] > DEEP + SLOP && load > 0) lifted = true
-  }
-  if (deep || lifted) {
-    let bodyCount = 0
-    for (let n = 0; n < count; n++) if (drowsy(islands, awake[n])) islands.bodies[bodyCount++] = awake[n]
-    // What was moved may lie in a sleeper now, or have come free: it sleeps when the next step has seen it.
-    const parted = deep && straighten(scene, islands.live, contactCount, islands.bodies, bodyCount)
-    if (parted || lifted) for (let n = 0; n < bodyCount; n++) least[find(parent, islands.bodies[n])] = 0
+    if (touch[DISTANCE] > DEEP + SLOP) least[find(parent, b)] = 0
   }
   bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
-    if (-least[find(parent, i)] < REST_TIME) awake[bodies.awakeCount++] = i
-    else {
+    if (rested(islands, i)) {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
-    }
+    } else awake[bodies.awakeCount++] = i
   }
 }
 
@@ -309,8 +294,7 @@ function moving({ bodies, friction, gravity }: Scene, i: number): boolean {
   return speed * speed > Math.max(1, 2 * friction * Math.abs(gravity) * REST_DISTANCE)
 }
 
-/** Whether the group of body `i` could sleep, and could not for long. */
-function drowsy({ parent, reach }: Islands, i: number): boolean {
-  const rested = -reach[find(parent, i)]
-  return rested >= REST_TIME && rested < REST_TIME + SORTING
+/** Whether the whole group of body `i` has kept its place for long enough, once `reach` holds how long. */
+function rested({ parent, reach }: Islands, i: number): boolean {
+  return -reach[find(parent, i)] >= REST_TIME
 }

@@ -165,6 +165,8 @@ export function createWorld(options: WorldOptions) {
       walls.height = size(height)
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
+      // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(c)
       scene.cramped = PATIENCE
     },
 
@@ -281,14 +283,14 @@ export function createWorld(options: WorldOptions) {
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
     bodies.undrawn[i] = 1
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-      contacts.data[(edge >> 1) * CONTACT + CLEAR] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
-      contacts.data[(edge >> 1) * CONTACT + POINTS] = 0
-      contacts.data[(edge >> 1) * CONTACT + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + SECOND + LOAD] = 0
-      contacts.data[(edge >> 1) * CONTACT + DRAG] = 0
-    }
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) forgetContact(edge >> 1)
+  }
+
+  function forgetContact(c: number): void {
+    const { data } = contacts
+    const k = c * CONTACT
+    data[k + CLEAR] = data[k + DUE] = -Infinity
+    data[k + POINTS] = data[k + LOAD] = data[k + SECOND + LOAD] = data[k + DRAG] = 0
   }
 }
 

@@ -23,6 +23,7 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  RADIUS,
   SHAPE,
   SPIN,
   STATE,
@@ -101,7 +102,7 @@ import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './
  * Those that move, or were moved, are marked as stirred for the first sweep.
  */
 export function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
-  const { state, motion, shape, stirred, moved } = scene.bodies
+  const { state, motion, shape, stirred, moved, props } = scene.bodies
   const { gravity, slow } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -123,7 +124,14 @@ export function kick(scene: Scene, list: Int32Array, from: number, to: number, a
     const toX = air.fade * vx + pushX
     const toY = air.fade * vy + gravity * air.reach + pushY
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
-    const grip = (rolling * (Math.abs(pushX) + Math.abs(pushY))) / shape[i * SHAPE + EXTENT]
+    const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
+    let grip = push / shape[i * SHAPE + EXTENT]
+    // On one point of a wall alone it has the lever of the disc that its corner is: else it would stand on that, leaning on nothing.
+    if (props[i] < 2)
+      grip = Math.min(
+        grip,
+        (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS],
+      )
     let toSpin = spinAir.fade * spin + pushSpin
     let brake = motion[m + BRAKE]
     brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
@@ -595,23 +603,17 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
 }
 
 /**
- * Parts the first `bodyCount` bodies of `chips`, which nothing else would part in time: the first `count` contacts of `list` are
- * pushed apart and measured again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it
- * moved anything.
+ * Parts what is awake, which nothing else would part in time: the first `count` contacts of `list` are pushed apart and measured
+ * again, until none is deeper than rest leaves them or that is enough for a step. Returns whether it moved anything.
  */
-export function straighten(
-  scene: Scene,
-  list: Int32Array,
-  count: number,
-  chips: Int32Array,
-  bodyCount: number,
-): boolean {
+export function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
+  const { awake, awakeCount } = bodies
   touch[WIDEST] = MARGIN
   let stuck = false
-  for (let n = 0; n < bodyCount; n++) {
+  for (let n = 0; n < awakeCount; n++) {
     // A chip that reaches from wall to wall and beyond has no place to go.
-    halfExtents(bodies, chips[n], 0, 0)
+    halfExtents(bodies, awake[n], 0, 0)
     if (2 * extents[X] > walls.width + 2) stuck = true
   }
   let rounds = 0
@@ -623,7 +625,7 @@ export function straighten(
     const most = Math.min(PARTINGS, visits / count)
     while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
-    for (let n = 0; n < bodyCount; n++) keepInside(scene, chips[n])
+    for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
     visits -= passes * count
     rounds++
   }

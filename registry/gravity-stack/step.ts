@@ -333,7 +333,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
   return most
 }
 
-/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step. */
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
 function warmStart(
   { bodies, contacts, islands }: Simulation,
   b0: number,
@@ -342,10 +342,11 @@ function warmStart(
   c1: number,
   grabbed: Hold[],
 ): void {
-  const { motion } = bodies
+  const { motion, props } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
     const m = i * MOTION
+    props[i] = 0
     motion[m + PUSH_X] = 0
     motion[m + PUSH_Y] = 0
     motion[m + PUSH_SPIN] = 0
@@ -355,7 +356,11 @@ function warmStart(
     const c = islands.contacts[n]
     const k = c * CONTACT
     d[k + LAG] = 0
-    if (d[k + POINTS] > 0 && d[k + LOAD] + d[k + SECOND + LOAD] > 0) carry(bodies, contacts, c, 1)
+    if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
+    carry(bodies, contacts, c, 1)
+    const a = contacts.pair[2 * c]
+    props[a] += 2
+    props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
   }
   for (const hold of grabbed) carryHold(bodies, hold)
 }
@@ -371,7 +376,7 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
  */
 function makeRoom(simulation: Simulation): void {
   const { bodies, contacts, pairs } = simulation
-  const { asleep, awake, awakeCount } = bodies
+  const { asleep } = bodies
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
@@ -381,7 +386,7 @@ function makeRoom(simulation: Simulation): void {
     let count = 0
     for (let c = 0; c < contacts.count; c++)
       if (pair[2 * c + 1] > 0 && asleep[pair[2 * c]] + asleep[pair[2 * c + 1]] === 0) list[count++] = c
-    if (!straighten(simulation, list, count, awake, awakeCount)) {
+    if (!straighten(simulation, list, count)) {
       simulation.cramped = 0
       return
     }
