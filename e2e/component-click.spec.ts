@@ -42,6 +42,13 @@ test('a press on a control gives it the focus, and one beside it takes the focus
   await expect(control('inner')).not.toBeFocused()
 })
 
+test('a long link is followed from its very edge', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'long' })
+  const box = (await page.getByText('long').boundingBox())!
+  await page.mouse.click(box.x + 2, box.y + box.height / 2)
+  await expect(page).toHaveURL(/#long$/)
+})
+
 test('a hand that trembles by 3 px still clicks a link, one that goes 10 px drags it', async ({
   stage,
   page,

@@ -83,6 +83,8 @@ test('pause() freezes the chips in the air, resume() lets them go on', async ({ 
   await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')
   await page.locator('#pause').click()
   await stage.reaches('paused')
+  // Nothing can be grabbed, and no cursor says so.
+  await expect(stage.chips.first()).toHaveCSS('cursor', 'auto')
   const { poses } = await stage.pile()
   expect(await stage.during('frames')).toBe(0)
   expect((await stage.pile()).poses).toEqual(poses)

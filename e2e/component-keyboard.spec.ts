@@ -65,6 +65,64 @@ test('focus that jumps into a stage far down the page brings the stage into view
   await expect(page.getByText('a button')).toBeInViewport()
 })
 
+test('focus on a chip that is falling is in view when it lies, though the floor was below the window', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 400, stagger: 0 })
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
+  await page.getByText('before').focus()
+  await page.keyboard.press('Tab')
+  await expect(page.getByText('Read the docs')).toBeFocused()
+  await stage.reaches('resting')
+  await expect(page.getByText('Read the docs')).toBeInViewport({ ratio: 0.9 })
+})
+
+test('focus on a chip of a stage taller than the window is in view when the chip lies', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
+  await stage.reaches('running')
+  await page.getByText('a button').focus()
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
+})
+
+test('a press on a control that falls gives it the focus and does not scroll the page', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 400, stagger: 0, gravity: 100 })
+  await stage.reaches('running')
+  const button = page.getByText('a button')
+  // It falls on while it is aimed at.
+  await expect
+    .poll(async () => {
+      const { x, y } = await stage.centre(button)
+      if (y > 440 && y < 590) await page.mouse.click(x, y)
+      return button.evaluate((element) => element === document.activeElement)
+    })
+    .toBe(true)
+  await stage.reaches('resting')
+  expect(await page.evaluate(() => scrollY)).toBe(0)
+})
+
+test('who has the focus when reduced motion is switched off waits for no turn', async ({ stage, page }) => {
+  await page.emulateMedia({ reducedMotion: 'no-preference' })
+  await stage.open('controls', { stagger: 60_000 })
+  await stage.reaches('running')
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await stage.reaches('static')
+  await page.getByText('a button').focus()
+  await page.emulateMedia({ reducedMotion: 'no-preference' })
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('a button')).toBeInViewport()
+})
+
 test('the order in which a screen reader reads is the order of the children, falling or piled', async ({
   stage,
 }) => {

@@ -1,4 +1,4 @@
-import { expect, test } from './fixtures/stage'
+import { expect, StagePage, test } from './fixtures/stage'
 
 test('a pile can still be moved after an error in onSettle', async ({ stage, page }) => {
   const errors: string[] = []
@@ -279,4 +279,49 @@ test('a held chip stays with a pointer that stands still while the page scrolls'
   await expect.poll(() => page.evaluate(() => scrollY)).toBe(60)
   await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(5)
   await page.mouse.up()
+})
+
+test('chips are where they are drawn, though the page gives every element a transition', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'transitions' })
+  await stage.reaches('running')
+  const off = await page.evaluate(async () => {
+    let most = 0
+    for (let i = 0; i < 30; i++) {
+      await window.probe.pass(1)
+      for (const chip of document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')) {
+        if (!chip.style.transform) continue
+        const [drawn, written] = [getComputedStyle(chip).transform, chip.style.transform].map(
+          (transform) => new DOMMatrix(transform),
+        )
+        most = Math.max(most, Math.hypot(drawn.e - written.e, drawn.f - written.f))
+      }
+    }
+    return most
+  })
+  expect(off).toBeLessThan(0.01)
+  await stage.reaches('resting')
+})
+
+test('a pill that begins with words and styles nobody sees falls as the pill it is', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'unseen' })
+  const other = new StagePage(page, page.locator('[data-slot=gravity-stack]').nth(1))
+  await other.reaches('resting')
+  expect((await other.pile()).poses).toEqual((await stage.pile()).poses)
+})
+
+test('a stage that opens by and by is not told that its chips are too large for it', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'opens' })
+  await stage.reaches('running')
+  await page.locator('#next').click()
+  await stage.reaches('resting')
+  expect(await stage.probe((probe) => probe.warnings)).toEqual([])
 })

@@ -109,6 +109,36 @@ test('a finger that rests on a chip for a moment holds it; then it can be lifted
   await stage.reaches('resting')
 })
 
+test('a finger keeps the chip whose content is replaced under it', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'swaps' })
+  const finger = await Finger.on(page)
+  const chip = stage.chips.first()
+  await onto(finger, stage, chip)
+  await expect(chip).toHaveText('pressed')
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await finger.by(0, -100, 12)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  expect(await scrolled(page)).toBe(0)
+  await finger.up()
+  await stage.reaches('resting')
+})
+
+test('after a finger has carried a chip, a tap on a label outside the stage counts', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'labelled' })
+  const finger = await Finger.on(page)
+  await onto(finger, stage, stage.chip('one'))
+  await finger.by(60, 0)
+  await expect(stage.chip('one')).toHaveAttribute('data-state', 'held')
+  await finger.up()
+  await stage.reaches('resting')
+  await page.getByText('label').tap()
+  await expect(page.locator('#box')).toBeChecked()
+})
+
 test('a tap with a finger makes a chip hop and follows a link', async ({ stage, page }) => {
   await stage.settled('controls')
   await page.touchscreen.tap(...(Object.values(await stage.centre(stage.chip('plain'))) as [number, number]))

@@ -3606,10 +3606,11 @@ interface Chip {
   due: number
   /** In the world, or -1. */
   id: number
-  /** Pose as drawn. */
+  /** Pose as drawn, and whether it is drawn smaller, as in a hand. */
   x: number
   y: number
   angle: number
+  pinched: boolean
 }
 
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
@@ -3625,6 +3626,9 @@ interface Press {
   seconds: number
   offX: number
   offY: number
+  /** What it went down on, and whether that is a control. */
+  origin: Element
+  control: boolean
   touch: boolean
   moved?: boolean
   /** It came up; else it was taken away. */
@@ -3669,6 +3673,12 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
+}
+
+/** Whether an element takes up room: words for screen readers and styles stand beside what is drawn. */
+function inFlow(element: Element) {
+  const { display, position } = getComputedStyle(element)
+  return display !== 'none' && position !== 'absolute' && position !== 'fixed'
 }
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
@@ -3724,6 +3734,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
+  /** The chip that got the focus before it lay. */
+  let followed: Chip | undefined
   let front = 0
   let kicks = 0
   let swallowClick = false
@@ -3770,7 +3782,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     for (const { target } of records) reshape(target)
     collect()
     // An element that React moves to another place loses the pointer.
-    for (const press of presses.values()) if (press.moved) capture(press)
+    for (const press of presses.values()) if (press.moved || !press.origin.isConnected) capture(press)
     sync()
   })
 
@@ -3817,16 +3829,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       chip.width = 0
       return withdraw(chip)
     }
-    if (
-      process.env.NODE_ENV !== 'production' &&
-      (chipWidth >= width || chipHeight > height) &&
-      width * height
-    )
-      warn(
-        'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
-      )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const face = chip.element.firstElementChild
+    const face = Array.from(chip.element.children).find(inFlow)
     // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
     if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
     const corners = getComputedStyle(face ?? chip.element).borderRadius.split(/[ /]+/)
@@ -3973,12 +3977,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
     const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-    element.style.transform = chip.state === 'held' ? `${at}scale(${HELD_SCALE})` : at
+    element.style.transform = chip.pinched ? `${at}scale(${HELD_SCALE})` : at
   }
 
   function mark(chip: Chip, next: Chip['state']) {
     if (chip.state === next) return
     chip.state = next
+    if (chip === followed && next === 'resting') {
+      followed = undefined
+      if (chip.element.matches(':focus-within')) chip.element.scrollIntoView({ block: 'nearest' })
+    }
     chip.element.setAttribute('data-state', next)
     // It waits out of sight, where its class puts it.
     if (next === 'waiting') chip.element.style.transform = ''
@@ -4019,6 +4027,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!live) presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
+    // Not before: a stage that opens by and by is small at first.
+    if (process.env.NODE_ENV !== 'production' && next === 'resting')
+      for (const chip of chips.values())
+        if (width * height && (chip.width >= width || chip.height > height))
+          warn(
+            'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
+          )
     state = next
     root.setAttribute('data-state', next)
     // After the frame: an error in it would end Motion's loop for the whole page.
@@ -4041,6 +4056,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!still.matches) {
       sizes.observe(root)
       for (const chip of chips.values()) sizes.observe(chip.element)
+      // Who has the focus in the row waits for nobody.
+      if (listening) focus({ target: (root.getRootNode() as Document).activeElement })
     }
     sync()
   }
@@ -4079,6 +4096,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     on(view, 'dragstart', (event: Event) => presses.size && event.preventDefault(), first)
     on(root, 'touchmove', scroll, { passive: false })
     on(view, 'touchstart', pinch, first)
+    // Not every drag ends in a click.
+    on(view, 'pointerdown', () => (swallowClick = false), first)
     on(view, 'pointermove', move, first)
     on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
@@ -4087,7 +4106,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function scroll(event: TouchEvent) {
-    if (event.cancelable && chipAt(event.target)?.state === 'held') event.preventDefault()
+    const { target } = event
+    const holds = [...presses.values()].some(({ grab, origin }) => grab && origin === target)
+    if (event.cancelable && (holds || chipAt(target)?.state === 'held')) event.preventDefault()
   }
 
   /** Two fingers at once are the browser's. One may join another that already holds a chip. */
@@ -4099,8 +4120,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const chip = chipAt(target)
     if (!chip) return
     toFront(chip)
-    if (chip.id >= 0 || still.matches) return
-    root.scrollIntoView({ block: 'nearest' })
+    if (still.matches) return
+    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a press.
+    if (
+      chip.state === 'waiting' ||
+      (chip.state === 'falling' && (target as Element).matches(':focus-visible'))
+    ) {
+      root.scrollIntoView({ block: 'nearest' })
+      followed = chip
+    }
+    if (chip.id >= 0) return
     started = true
     catchUp()
     chip.due = clock
@@ -4134,20 +4163,30 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function down(event: PointerEvent) {
-    swallowClick = false
     // Its last release may have been lost: to a dialog, another frame.
     up(event)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
     if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
-    const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
+    const press = {
+      chip,
+      down: event,
+      origin: event.target as Element,
+      control: within(chip, event, CONTROL),
+      toStage: pointerMap(root),
+      touch,
+    } as unknown as Press
     track(press, event)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
     presses.set(event.pointerId, press)
-    if (touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
-    else hold(press)
+    if (touch) {
+      press.timer = setTimeout(hold, TOUCH_HOLD, press)
+      // From what is taken off the page meanwhile the root would hear no more.
+      const { signal } = listening!
+      press.origin.addEventListener('touchmove', scroll as EventListener, { passive: false, signal })
+    } else hold(press)
   }
 
   function track(press: Press, event: PointerEvent) {
@@ -4174,6 +4213,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
+    // What shrinks under the pointer may miss its click: a control does so when it is dragged.
+    chip.pinched = !!press.moved || !press.control
     toFront(chip)
     draw(chip)
     sync()
@@ -4191,6 +4232,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
+      press.chip.pinched = !!press.grab
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
       if (!press.grab) return hold(press)
@@ -4227,6 +4269,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // Taken from a hand that has stood still, it is not thrown: what the hand did before is over.
     if (!press.up) press.grab.moveTo(press.x, press.y, performance.now() / 1000)
     press.grab.release()
+    press.chip.pinched = false
     mark(press.chip, 'falling')
     draw(press.chip)
     sync()
@@ -4424,7 +4467,9 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
  * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,
  * so the markup is the same everywhere.
  */
-export const GravityStack = React.forwardRef(function GravityStack(
+export const GravityStack: React.ForwardRefExoticComponent<
+  GravityStackProps & React.RefAttributes<HTMLDivElement>
+> = React.forwardRef(function GravityStack(
   {
     children,
     gravity,
@@ -4447,7 +4492,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
     // A document without layout, as tests have it, has nothing to watch; some give it one of the three.
     if (![window.ResizeObserver, window.IntersectionObserver, window.matchMedia].every(Boolean)) return
     // What React hides and shows again keeps its pile.
-    stage.current ??= createStage(root.current!, pausing)
+    if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()
     return stage.current.detach
   }, [])
@@ -4470,15 +4515,6 @@ export const GravityStack = React.forwardRef(function GravityStack(
     }
   }, [])
 
-  const chip = cn(
-    'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-    'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
-    'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
-    'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
-    '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
-    interactive &&
-      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
-  )
   return (
     <div
       {...props}
@@ -4493,7 +4529,21 @@ export const GravityStack = React.forwardRef(function GravityStack(
       )}
     >
       {chipsOf(children).map(([key, child]) => (
-        <div key={key} data-slot="gravity-stack-chip" data-state="waiting" className={chip}>
+        <div
+          key={key}
+          data-slot="gravity-stack-chip"
+          data-state="waiting"
+          // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
+          className={cn(
+            'absolute top-0 [left:0] flex w-max max-w-full select-none transition-none! *:m-0!',
+            'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
+            'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
+            'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+            interactive &&
+              'cursor-grab touch-pan-y touch-pinch-zoom group-data-[state=paused]/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+          )}
+        >
           {child}
         </div>
       ))}

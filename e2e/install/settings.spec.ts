@@ -1,4 +1,4 @@
-import { docsCode, expect, expectPile, item, type Project, test, viteProject } from './project'
+import { components, docsCode, expect, expectPile, item, type Project, test, viteProject } from './project'
 
 const usage = async (project: Project) =>
   project.write({
@@ -31,6 +31,38 @@ test('a project with the strictest TypeScript, React Compiler and ESLint takes t
   await usage(project)
   await project.run('npm', ['run', 'build'])
   await project.run('npx', ['eslint', 'src/components', 'src/topics.tsx'])
+  const server = await project.serve('vite', (port) => ['preview', '--port', `${port}`, '--strictPort'])
+  await expectPile(page, server.url)
+  await server.stop()
+})
+
+test('a project whose Tailwind has a prefix, read from right to left, shows the pile', async ({
+  make,
+  page,
+}) => {
+  const project = await make('prefixed')
+  await viteProject(project)
+  const css = await project.read('src/index.css')
+  await project.write({
+    'src/index.css': css.replace('"tailwindcss"', '"tailwindcss" prefix(tw)'),
+    'components.json': {
+      ...components('src/index.css', { rsc: false, rtl: true }),
+      tailwind: { config: '', css: 'src/index.css', baseColor: '', cssVariables: true, prefix: 'tw' },
+    },
+  })
+  await project.edit('index.html', (text) => text.replace('<html', '<html dir="rtl"'))
+  await project.shadcn('add', item('gravity-stack'), '--yes')
+  const added = await project.read('src/components/ui/gravity-stack.tsx')
+  for (const name of ['absolute', 'relative', 'h-80', 'cursor-grab'])
+    expect(added).toMatch(RegExp(`['" ]tw:${name}['" ]`))
+  await usage(project)
+  await project.edit('src/topics.tsx', (text) =>
+    text.replace(
+      /className="([^"]+)"/g,
+      (_, names: string) => `className="${names.replace(/\S+/g, 'tw:$&')}"`,
+    ),
+  )
+  await project.run('npm', ['run', 'build'])
   const server = await project.serve('vite', (port) => ['preview', '--port', `${port}`, '--strictPort'])
   await expectPile(page, server.url)
   await server.stop()

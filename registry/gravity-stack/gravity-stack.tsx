@@ -80,7 +80,9 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
  * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,
  * so the markup is the same everywhere.
  */
-export const GravityStack = React.forwardRef(function GravityStack(
+export const GravityStack: React.ForwardRefExoticComponent<
+  GravityStackProps & React.RefAttributes<HTMLDivElement>
+> = React.forwardRef(function GravityStack(
   {
     children,
     gravity,
@@ -103,7 +105,7 @@ export const GravityStack = React.forwardRef(function GravityStack(
     // A document without layout, as tests have it, has nothing to watch; some give it one of the three.
     if (![window.ResizeObserver, window.IntersectionObserver, window.matchMedia].every(Boolean)) return
     // What React hides and shows again keeps its pile.
-    stage.current ??= createStage(root.current!, pausing)
+    if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()
     return stage.current.detach
   }, [])
@@ -126,15 +128,6 @@ export const GravityStack = React.forwardRef(function GravityStack(
     }
   }, [])
 
-  const chip = cn(
-    'absolute top-0 left-0 flex w-max max-w-full select-none *:m-0!',
-    'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
-    'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
-    'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
-    '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
-    interactive &&
-      'cursor-grab touch-pan-y touch-pinch-zoom data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
-  )
   return (
     <div
       {...props}
@@ -149,7 +142,21 @@ export const GravityStack = React.forwardRef(function GravityStack(
       )}
     >
       {chipsOf(children).map(([key, child]) => (
-        <div key={key} data-slot="gravity-stack-chip" data-state="waiting" className={chip}>
+        <div
+          key={key}
+          data-slot="gravity-stack-chip"
+          data-state="waiting"
+          // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
+          className={cn(
+            'absolute top-0 [left:0] flex w-max max-w-full select-none transition-none! *:m-0!',
+            'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
+            'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
+            'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+            interactive &&
+              'cursor-grab touch-pan-y touch-pinch-zoom group-data-[state=paused]/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+          )}
+        >
           {child}
         </div>
       ))}

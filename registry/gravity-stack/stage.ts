@@ -80,10 +80,11 @@ interface Chip {
   due: number
   /** In the world, or -1. */
   id: number
-  /** Pose as drawn. */
+  /** Pose as drawn, and whether it is drawn smaller, as in a hand. */
   x: number
   y: number
   angle: number
+  pinched: boolean
 }
 
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
@@ -99,6 +100,9 @@ interface Press {
   seconds: number
   offX: number
   offY: number
+  /** What it went down on, and whether that is a control. */
+  origin: Element
+  control: boolean
   touch: boolean
   moved?: boolean
   /** It came up; else it was taken away. */
@@ -143,6 +147,12 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
+}
+
+/** Whether an element takes up room: words for screen readers and styles stand beside what is drawn. */
+function inFlow(element: Element) {
+  const { display, position } = getComputedStyle(element)
+  return display !== 'none' && position !== 'absolute' && position !== 'fixed'
 }
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
@@ -198,6 +208,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
+  /** The chip that got the focus before it lay. */
+  let followed: Chip | undefined
   let front = 0
   let kicks = 0
   let swallowClick = false
@@ -244,7 +256,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     for (const { target } of records) reshape(target)
     collect()
     // An element that React moves to another place loses the pointer.
-    for (const press of presses.values()) if (press.moved) capture(press)
+    for (const press of presses.values()) if (press.moved || !press.origin.isConnected) capture(press)
     sync()
   })
 
@@ -291,16 +303,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip.width = 0
       return withdraw(chip)
     }
-    if (
-      process.env.NODE_ENV !== 'production' &&
-      (chipWidth >= width || chipHeight > height) &&
-      width * height
-    )
-      warn(
-        'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
-      )
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const face = chip.element.firstElementChild
+    const face = Array.from(chip.element.children).find(inFlow)
     // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
     if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
     const corners = getComputedStyle(face ?? chip.element).borderRadius.split(/[ /]+/)
@@ -447,12 +451,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
     const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-    element.style.transform = chip.state === 'held' ? `${at}scale(${HELD_SCALE})` : at
+    element.style.transform = chip.pinched ? `${at}scale(${HELD_SCALE})` : at
   }
 
   function mark(chip: Chip, next: Chip['state']) {
     if (chip.state === next) return
     chip.state = next
+    if (chip === followed && next === 'resting') {
+      followed = undefined
+      if (chip.element.matches(':focus-within')) chip.element.scrollIntoView({ block: 'nearest' })
+    }
     chip.element.setAttribute('data-state', next)
     // It waits out of sight, where its class puts it.
     if (next === 'waiting') chip.element.style.transform = ''
@@ -493,6 +501,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!live) presses.forEach(letGo)
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
+    // Not before: a stage that opens by and by is small at first.
+    if (process.env.NODE_ENV !== 'production' && next === 'resting')
+      for (const chip of chips.values())
+        if (width * height && (chip.width >= width || chip.height > height))
+          warn(
+            'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
+          )
     state = next
     root.setAttribute('data-state', next)
     // After the frame: an error in it would end Motion's loop for the whole page.
@@ -515,6 +530,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!still.matches) {
       sizes.observe(root)
       for (const chip of chips.values()) sizes.observe(chip.element)
+      // Who has the focus in the row waits for nobody.
+      if (listening) focus({ target: (root.getRootNode() as Document).activeElement })
     }
     sync()
   }
@@ -553,6 +570,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     on(view, 'dragstart', (event: Event) => presses.size && event.preventDefault(), first)
     on(root, 'touchmove', scroll, { passive: false })
     on(view, 'touchstart', pinch, first)
+    // Not every drag ends in a click.
+    on(view, 'pointerdown', () => (swallowClick = false), first)
     on(view, 'pointermove', move, first)
     on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
@@ -561,7 +580,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   function scroll(event: TouchEvent) {
-    if (event.cancelable && chipAt(event.target)?.state === 'held') event.preventDefault()
+    const { target } = event
+    const holds = [...presses.values()].some(({ grab, origin }) => grab && origin === target)
+    if (event.cancelable && (holds || chipAt(target)?.state === 'held')) event.preventDefault()
   }
 
   /** Two fingers at once are the browser's. One may join another that already holds a chip. */
@@ -573,8 +594,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const chip = chipAt(target)
     if (!chip) return
     toFront(chip)
-    if (chip.id >= 0 || still.matches) return
-    root.scrollIntoView({ block: 'nearest' })
+    if (still.matches) return
+    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a press.
+    if (
+      chip.state === 'waiting' ||
+      (chip.state === 'falling' && (target as Element).matches(':focus-visible'))
+    ) {
+      root.scrollIntoView({ block: 'nearest' })
+      followed = chip
+    }
+    if (chip.id >= 0) return
     started = true
     catchUp()
     chip.due = clock
@@ -608,20 +637,30 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   function down(event: PointerEvent) {
-    swallowClick = false
     // Its last release may have been lost: to a dialog, another frame.
     up(event)
     const chip = touched(event)
     if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
     if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
-    const press = { chip, down: event, toStage: pointerMap(root), touch } as unknown as Press
+    const press = {
+      chip,
+      down: event,
+      origin: event.target as Element,
+      control: within(chip, event, CONTROL),
+      toStage: pointerMap(root),
+      touch,
+    } as unknown as Press
     track(press, event)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
     presses.set(event.pointerId, press)
-    if (touch) press.timer = setTimeout(hold, TOUCH_HOLD, press)
-    else hold(press)
+    if (touch) {
+      press.timer = setTimeout(hold, TOUCH_HOLD, press)
+      // From what is taken off the page meanwhile the root would hear no more.
+      const { signal } = listening!
+      press.origin.addEventListener('touchmove', scroll as EventListener, { passive: false, signal })
+    } else hold(press)
   }
 
   function track(press: Press, event: PointerEvent) {
@@ -648,6 +687,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
+    // What shrinks under the pointer may miss its click: a control does so when it is dragged.
+    chip.pinched = !!press.moved || !press.control
     toFront(chip)
     draw(chip)
     sync()
@@ -665,6 +706,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
+      press.chip.pinched = !!press.grab
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
       if (!press.grab) return hold(press)
@@ -701,6 +743,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Taken from a hand that has stood still, it is not thrown: what the hand did before is over.
     if (!press.up) press.grab.moveTo(press.x, press.y, performance.now() / 1000)
     press.grab.release()
+    press.chip.pinched = false
     mark(press.chip, 'falling')
     draw(press.chip)
     sync()
