@@ -149,12 +149,6 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
   watcher.observe(element)
 }
 
-/** Whether an element takes up room: words for screen readers and styles stand beside what is drawn. */
-function inFlow(element: Element) {
-  const { display, position } = getComputedStyle(element)
-  return display !== 'none' && position !== 'absolute' && position !== 'fixed'
-}
-
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
   const probes = [0, 1, 2].map((i) => {
@@ -303,11 +297,18 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip.width = 0
       return withdraw(chip)
     }
+    // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
+    let look: CSSStyleDeclaration | undefined
+    for (const child of Array.from(chip.element.children)) {
+      const style = getComputedStyle(child)
+      if (style.display === 'none' || /absolute|fixed/.test(style.position)) continue
+      // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
+      changes.observe(child, { attributeFilter: ['class', 'style'] })
+      look = style
+      break
+    }
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const face = Array.from(chip.element.children).find(inFlow)
-    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
-    if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
-    const corners = getComputedStyle(face ?? chip.element).borderRadius.split(/[ /]+/)
+    const corners = (look ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chipWidth, chipHeight)
     const radius = Math.min(
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
