@@ -374,18 +374,26 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
       continue
     let struck = false
-    // What has been put off hits now, as it would have.
-    const found = contacts.mark[c] === impacts.phase - 1
-    if (!found) d[k + SECOND + GOAL] = -Infinity
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(bodies, contacts, c, p)
-      // Where they are by then: what has parted again since it was hit in this sub-step is no neighbour any more.
-      const near = touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
-      if (!found) d[p + GOAL] = near ? 0 : -Infinity
-      if (near && touch[RATE_NOW] < -impacts.passOn) struck = true
+      if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
-    if (struck) enlist(impacts, scene, c, impacts.when[i])
+    if (!struck) continue
+    // What has been put off hits now, as it would have.
+    if (contacts.mark[c] !== impacts.phase - 1) {
+      d[k + SECOND + GOAL] = -Infinity
+      for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
+        probe(bodies, contacts, c, p)
+        d[p + GOAL] = isNear(impacts, scene, i, c, p) ? 0 : -Infinity
+      }
+    }
+    enlist(impacts, scene, c, impacts.when[i])
   }
+}
+
+/** Whether the point that `probe` looked at touches where it will be when body `i` is hit: what has parted again since it was hit in this sub-step is no neighbour any more. */
+function isNear(impacts: Impacts, scene: Scene, i: number, c: number, p: number): boolean {
+  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
 }
 
 /** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */
