@@ -11,16 +11,7 @@ import { CopyButton } from './copy-button'
 import { ElevationLadder } from './elevation-ladder'
 import { Heading } from './heading'
 import { Install, InstallWay } from './install'
-import {
-  FlightFigure,
-  FrictionFigure,
-  HardScenesFigure,
-  ImpactFigure,
-  IslandsFigure,
-  SagFigure,
-  ScenesFigure,
-  SubstepsFigure,
-} from './lab'
+import { LiveFigure } from './lab'
 import { ActionsTable, PropsTable } from './props-table'
 import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
@@ -93,20 +84,13 @@ const components: Record<string, unknown> = {
   ComponentPreview,
   ComponentSource,
   ElevationLadder,
-  FlightFigure,
-  FrictionFigure,
   FuzzTable,
-  HardScenesFigure,
   HardScenesTable,
-  ImpactFigure,
   Install,
   InstallWay,
-  IslandsFigure,
+  LiveFigure,
   PropsTable,
-  SagFigure,
-  ScenesFigure,
   ScenesTable,
-  SubstepsFigure,
 }
 
 /** Runs the function body that contentlayer compiles a page to. On the server only: no MDX reaches the browser. */

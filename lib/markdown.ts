@@ -48,6 +48,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ComponentSource: () => `The whole file: ${siteUrl}/source/gravity-stack.tsx.txt`,
   ElevationLadder: () => '',
   Install: () => '',
+  LiveFigure: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
   FuzzTable: () =>
     table(
@@ -74,7 +75,6 @@ function docMarkdown(doc: Doc): string {
     if (block.startsWith('```')) return block
     return block
       .replace(/^<([A-Z]\w*)([^>]*?)\/?>$/gm, (_, name: string, text: string) => {
-        if (name.endsWith('Figure')) return ''
         const part = parts[name]
         if (!part) throw new Error(`lib/markdown.ts has no Markdown for <${name}>, used in ${doc.slug}.mdx`)
         return part(

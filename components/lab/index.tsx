@@ -3,19 +3,16 @@
 import { type ComponentType, lazy } from 'react'
 
 // A page's figures are one file for the browser, which other pages don't bring.
-const ideas = async () => (await import('./ideas')).ideas
-const stability = async () => (await import('./stability')).stability
-
-function figure(figures: () => Promise<Record<string, ComponentType>>, name: string) {
-  const Figure = lazy(async () => ({ default: (await figures())[name] }))
-  return () => <Figure />
+const files = {
+  ideas: async () => (await import('./ideas')).ideas,
+  stability: async () => (await import('./stability')).stability,
 }
 
-export const FlightFigure = figure(ideas, 'flight')
-export const FrictionFigure = figure(ideas, 'friction')
-export const ImpactFigure = figure(ideas, 'impact')
-export const IslandsFigure = figure(ideas, 'islands')
-export const SagFigure = figure(ideas, 'sag')
-export const SubstepsFigure = figure(ideas, 'substeps')
-export const HardScenesFigure = figure(stability, 'hard')
-export const ScenesFigure = figure(stability, 'known')
+const shown: Record<string, ComponentType> = {}
+
+/** The figure of that name in one of the files. */
+export function LiveFigure({ from, name }: { from: keyof typeof files; name: string }) {
+  shown[name] ??= lazy(async () => ({ default: (await files[from]())[name] }))
+  const Figure = shown[name]
+  return <Figure />
+}

@@ -1004,21 +1004,17 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
   const i = hold.body * STATE
   const samples = hold.samples
   if (bodies.held[hold.body] === 0 && samples.length > 1 && hold.idle < THROW_WINDOW) {
+    // By least squares, the slope of the way over time.
     let t = 0
-    let x = 0
-    let y = 0
-    for (const sample of samples) {
-      t += sample.seconds / samples.length
-      x += sample.x / samples.length
-      y += sample.y / samples.length
-    }
+    for (const { seconds } of samples) t += seconds / samples.length
     let tt = 0
     let tx = 0
     let ty = 0
     for (const sample of samples) {
-      tt += (sample.seconds - t) * (sample.seconds - t)
-      tx += (sample.seconds - t) * (sample.x - x)
-      ty += (sample.seconds - t) * (sample.y - y)
+      const off = sample.seconds - t
+      tt += off * off
+      tx += off * sample.x
+      ty += off * sample.y
     }
     if (tt > 0) {
       const vx = tx / tt
@@ -1111,7 +1107,6 @@ class Contacts {
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
   head: Int32Array = new Int32Array(1).fill(-1)
   next: Int32Array = new Int32Array(8)
-  last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
 }
@@ -1154,20 +1149,18 @@ const VISITED = 3
 const HITS = 4
 const MEASURED = 5
 
-function link(contacts: Contacts, edge: number, body: number): void {
-  const first = contacts.head[body]
-  contacts.next[edge] = first
-  contacts.last[edge] = -1
-  if (first >= 0) contacts.last[first] = edge
-  contacts.head[body] = edge
+function link({ head, next }: Contacts, edge: number, body: number): void {
+  next[edge] = head[body]
+  head[body] = edge
 }
 
-function unlink(contacts: Contacts, edge: number, body: number): void {
-  const before = contacts.last[edge]
-  const after = contacts.next[edge]
-  if (before >= 0) contacts.next[before] = after
-  else contacts.head[body] = after
-  if (after >= 0) contacts.last[after] = before
+function unlink({ head, next }: Contacts, edge: number, body: number): void {
+  if (head[body] === edge) head[body] = next[edge]
+  else {
+    let before = head[body]
+    while (next[before] !== edge) before = next[before]
+    next[before] = next[edge]
+  }
 }
 
 /** A slot for the pair of bodies `a` and `b`, or for body `b` and a wall (`a` is 0 then). */
@@ -1906,18 +1899,26 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
       continue
     let struck = false
-    // What has been put off hits now, as it would have.
-    const found = contacts.mark[c] === impacts.phase - 1
-    if (!found) d[k + SECOND + GOAL] = -Infinity
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(bodies, contacts, c, p)
-      // Where they are by then: what has parted again since it was hit in this sub-step is no neighbour any more.
-      const near = touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
-      if (!found) d[p + GOAL] = near ? 0 : -Infinity
-      if (near && touch[RATE_NOW] < -impacts.passOn) struck = true
+      if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
-    if (struck) enlist(impacts, scene, c, impacts.when[i])
+    if (!struck) continue
+    // What has been put off hits now, as it would have.
+    if (contacts.mark[c] !== impacts.phase - 1) {
+      d[k + SECOND + GOAL] = -Infinity
+      for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
+        probe(bodies, contacts, c, p)
+        d[p + GOAL] = isNear(impacts, scene, i, c, p) ? 0 : -Infinity
+      }
+    }
+    enlist(impacts, scene, c, impacts.when[i])
   }
+}
+
+/** Whether the point that `probe` looked at touches where it will be when body `i` is hit: what has parted again since it was hit in this sub-step is no neighbour any more. */
+function isNear(impacts: Impacts, scene: Scene, i: number, c: number, p: number): boolean {
+  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
 }
 
 /** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */
@@ -3723,7 +3724,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let turns = 0
   let slot = 0
   /** s, when the last chip was released. */
-  let released = Number.NEGATIVE_INFINITY
+  let released = -Infinity
   /** The chip whose release a timer waits for. */
   let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -3858,7 +3859,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     bodies = []
     queue = []
     clock = turns = slot = 0
-    released = Number.NEGATIVE_INFINITY
+    released = -Infinity
     idleSince = undefined
     disarm()
     // In the order of the children, however they came.
@@ -3920,7 +3921,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     released = clock
     chip.id = world!.add({ ...chip, ...pose })
-    chip.x = Number.NaN
+    chip.x = NaN
     bodies[chip.id] = chip
   }
 

@@ -110,7 +110,6 @@ export class Contacts {
   /** Lists of the contacts of each body: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
   head: Int32Array = new Int32Array(1).fill(-1)
   next: Int32Array = new Int32Array(8)
-  last: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
 }
@@ -153,20 +152,18 @@ export const VISITED = 3
 export const HITS = 4
 export const MEASURED = 5
 
-function link(contacts: Contacts, edge: number, body: number): void {
-  const first = contacts.head[body]
-  contacts.next[edge] = first
-  contacts.last[edge] = -1
-  if (first >= 0) contacts.last[first] = edge
-  contacts.head[body] = edge
+function link({ head, next }: Contacts, edge: number, body: number): void {
+  next[edge] = head[body]
+  head[body] = edge
 }
 
-function unlink(contacts: Contacts, edge: number, body: number): void {
-  const before = contacts.last[edge]
-  const after = contacts.next[edge]
-  if (before >= 0) contacts.next[before] = after
-  else contacts.head[body] = after
-  if (after >= 0) contacts.last[after] = before
+function unlink({ head, next }: Contacts, edge: number, body: number): void {
+  if (head[body] === edge) head[body] = next[edge]
+  else {
+    let before = head[body]
+    while (next[before] !== edge) before = next[before]
+    next[before] = next[edge]
+  }
 }
 
 /** A slot for the pair of bodies `a` and `b`, or for body `b` and a wall (`a` is 0 then). */

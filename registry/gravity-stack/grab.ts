@@ -185,21 +185,17 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
   const i = hold.body * STATE
   const samples = hold.samples
   if (bodies.held[hold.body] === 0 && samples.length > 1 && hold.idle < THROW_WINDOW) {
+    // By least squares, the slope of the way over time.
     let t = 0
-    let x = 0
-    let y = 0
-    for (const sample of samples) {
-      t += sample.seconds / samples.length
-      x += sample.x / samples.length
-      y += sample.y / samples.length
-    }
+    for (const { seconds } of samples) t += seconds / samples.length
     let tt = 0
     let tx = 0
     let ty = 0
     for (const sample of samples) {
-      tt += (sample.seconds - t) * (sample.seconds - t)
-      tx += (sample.seconds - t) * (sample.x - x)
-      ty += (sample.seconds - t) * (sample.y - y)
+      const off = sample.seconds - t
+      tt += off * off
+      tx += off * sample.x
+      ty += off * sample.y
     }
     if (tt > 0) {
       const vx = tx / tt

@@ -197,7 +197,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let turns = 0
   let slot = 0
   /** s, when the last chip was released. */
-  let released = Number.NEGATIVE_INFINITY
+  let released = -Infinity
   /** The chip whose release a timer waits for. */
   let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -332,7 +332,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     bodies = []
     queue = []
     clock = turns = slot = 0
-    released = Number.NEGATIVE_INFINITY
+    released = -Infinity
     idleSince = undefined
     disarm()
     // In the order of the children, however they came.
@@ -394,7 +394,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     released = clock
     chip.id = world!.add({ ...chip, ...pose })
-    chip.x = Number.NaN
+    chip.x = NaN
     bodies[chip.id] = chip
   }
 
