@@ -312,7 +312,10 @@ test('a pill that begins with words and styles nobody sees falls as the pill it 
   await stage.settled('surroundings', { kind: 'unseen' })
   const other = new StagePage(page, page.locator('[data-slot=gravity-stack]').nth(1))
   await other.reaches('resting')
-  expect((await other.pile()).poses).toEqual((await stage.pile()).poses)
+  const [{ poses: plain }, { poses: wordy }] = await Promise.all([stage.pile(), other.pile()])
+  // What moves by less than a tenth of a pixel is not drawn again, so which frames fell into the last steps shows that much.
+  const off = plain.map(({ x, y }, i) => Math.hypot(x - wordy[i].x, y - wordy[i].y))
+  expect(Math.max(...off)).toBeLessThan(0.25)
 })
 
 test('a stage that opens by and by is not told that its chips are too large for it', async ({
