@@ -3977,8 +3977,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    // Not before: the first chip is to be seen as soon as can be.
-    rehearse()
     if (world!.resting) sync()
   }
 
@@ -4036,6 +4034,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
               ? 'running'
               : 'paused'
     const running = next === 'running'
+    if (running) rehearse()
     if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)

@@ -450,8 +450,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    // Not before: the first chip is to be seen as soon as can be.
-    rehearse()
     if (world!.resting) sync()
   }
 
@@ -509,6 +507,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
               ? 'running'
               : 'paused'
     const running = next === 'running'
+    if (running) rehearse()
     if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)
