@@ -28,27 +28,6 @@ test('before the stage is near the view nothing runs: no frame, no layout read, 
   })
 })
 
-test('what a landing takes is rehearsed once a page, in idle time, and ends', async ({ stage, page }) => {
-  await stage.open('pile', { chips: 4, shaker: true, above: 1500 })
-  expect(await stage.probe((probe) => probe.idles)).toBe(0)
-  await stage.root.scrollIntoViewIfNeeded()
-  await stage.reaches('resting')
-  const steps = await stage.probe((probe) => probe.idles)
-  expect(steps).toBeGreaterThan(20)
-  expect(steps).toBeLessThan(80)
-  await page.getByRole('button', { name: 'Shake' }).click()
-  await stage.reaches('running')
-  await stage.reaches('resting')
-  expect(await stage.probe((probe) => probe.idles)).toBe(steps)
-})
-
-test('a browser that tells nobody when it is idle shows the same drop', async ({ stage, page }) => {
-  await page.addInitScript(() => Reflect.deleteProperty(window, 'requestIdleCallback'))
-  await stage.settled('pile', { chips: 4 })
-  expect(await stage.overlap()).toBeLessThan(0.3)
-  expect(await stage.probe((probe) => probe.errors)).toEqual([])
-})
-
 test('waiting for the next release while all others sleep, a timer runs and no frames', async ({ stage }) => {
   await stage.open('pile', { chips: 2, stagger: 60000 })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')

@@ -3660,29 +3660,6 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
-let rehearsed = false
-
-/**
- * Browsers compile a function when it is first called, so that of all chips the first to land would cost by far the most. What
- * happens in a pile is therefore played once with three chips that nobody sees, a step whenever the page is idle, while the real ones fall.
- */
-function rehearse() {
-  if (rehearsed || !window.requestIdleCallback) return
-  rehearsed = true
-  requestIdleCallback(() => {
-    const world = createWorld({ width: 70, height: 60 })
-    // One lies, and the others come down on it some steps later: not all is compiled at once.
-    world.add({ width: 40, height: 20, radius: 10, x: 35, y: 50 })
-    world.add({ width: 40, height: 20, radius: 5, x: 36, y: 0, vy: 400, spin: 1 })
-    world.add({ width: 40, height: 20, x: 37, y: -50, vy: 400, spin: 2 })
-    const go = () => {
-      world.step(STEP)
-      if (!world.resting) requestIdleCallback(go)
-    }
-    go()
-  })
-}
-
 let watcher: IntersectionObserver | undefined
 const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
 
@@ -4034,7 +4011,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
               ? 'running'
               : 'paused'
     const running = next === 'running'
-    if (running) rehearse()
     if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)
