@@ -91,25 +91,35 @@ test('focus on a chip of a stage taller than the window is in view when the chip
   await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
 })
 
-test('a press on a control that falls gives it the focus and does not scroll the page', async ({
-  stage,
-  page,
-}) => {
-  await page.setViewportSize({ width: 800, height: 600 })
-  await stage.open('controls', { above: 400, stagger: 0, gravity: 100 })
-  await stage.reaches('running')
-  const button = page.getByText('a button')
-  // It falls on while it is aimed at.
-  await expect
-    .poll(async () => {
-      const { x, y } = await stage.centre(button)
-      if (y > 440 && y < 590) await page.mouse.click(x, y)
-      return button.evaluate((element) => element === document.activeElement)
-    })
-    .toBe(true)
-  await stage.reaches('resting')
-  expect(await page.evaluate(() => scrollY)).toBe(0)
-})
+for (const [pressed, interactive] of [
+  ['a press on a control that falls', true],
+  ['a press on a control that falls and cannot be grabbed', false],
+] as const) {
+  test(`${pressed} gives it the focus and does not scroll the page`, async ({ stage, page }) => {
+    await page.setViewportSize({ width: 800, height: 600 })
+    // Its time is the test's own, so that it is where it was aimed at.
+    await page.clock.install({ time: 0 })
+    await page.clock.pauseAt(1000)
+    await stage.open('controls', { above: 400, stagger: 0, interactive })
+    const button = page.getByText('a button')
+    await expect
+      .poll(
+        async () => {
+          await page.clock.runFor(20)
+          return (await stage.centre(button)).y
+        },
+        { intervals: [0] },
+      )
+      .toBeGreaterThan(440)
+    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
+    const { x, y } = await stage.centre(button)
+    await page.mouse.click(x, y)
+    await expect(button).toBeFocused()
+    await page.clock.resume()
+    await stage.reaches('resting')
+    expect(await page.evaluate(() => scrollY)).toBe(0)
+  })
+}
 
 test('who has the focus when reduced motion is switched off waits for no turn', async ({ stage, page }) => {
   await page.emulateMedia({ reducedMotion: 'no-preference' })
