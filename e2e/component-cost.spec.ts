@@ -1,5 +1,6 @@
 import type { CDPSession, Page } from '@playwright/test'
 import { categories, Trace } from '../bench/browser/trace'
+import { median } from '../bench/film'
 import { expect, StagePage, test } from './fixtures/stage'
 
 test('before the stage is near the view nothing runs: no frame, no layout read, one shared observer', async ({
@@ -174,6 +175,27 @@ test('in a trace of a drop no frame makes the browser lay out or style in the mi
   expect(trace.frames(0, Number.POSITIVE_INFINITY).frames).toBeGreaterThan(10)
   expect(trace.forced(0, Number.POSITIVE_INFINITY, new Set(['FireAnimationFrame']))).toBe(0)
 })
+
+for (const [where, path, params] of [
+  ['', 'pile', { chips: 30, stagger: 60, shape: 'all' }],
+  [', though the page gives every element a transition', 'surroundings', { kind: 'transitions' }],
+] as const)
+  test(`a chip that only moves is not held against the rules of the page again${where}`, async ({
+    stage,
+    browser,
+  }) => {
+    await stage.open(path, params)
+    await browser.startTracing(stage.page, { categories: [...categories, 'blink_style'] })
+    await stage.reaches('resting')
+    const trace = new Trace(await browser.stopTracing())
+    const counted = trace.main
+      .filter(({ name }) => name === 'Document::updateStyle')
+      .map(({ args }) => args.counters as { elementsStyled: number; rulesMatched: number })
+      .filter(({ elementsStyled }) => elementsStyled)
+    expect(counted.length).toBeGreaterThan(10)
+    // Frames in which a chip is released or falls asleep ask the rules.
+    expect(median(counted.map(({ rulesMatched }) => rulesMatched))).toBe(0)
+  })
 
 /** Nodes inside the stage that have a layer of their own, by the ids of the browser; the map follows every change. */
 async function layersOf(page: Page) {

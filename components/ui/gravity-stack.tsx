@@ -4537,7 +4537,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
           data-state="waiting"
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none transition-none! *:m-0!',
+            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0!',
             'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
