@@ -190,6 +190,17 @@ test('a chip that loses its round corners stands like a box', async ({ stage, pa
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
+test('chips that lose their round corners while they wait fall as boxes', async ({ stage }) => {
+  await stage.open('pile', { chips: 16, stagger: 100 })
+  await stage.reaches('running')
+  await stage.chips.evaluateAll((all) => {
+    for (const chip of all) (chip.firstElementChild as HTMLElement).style.borderRadius = '0'
+  })
+  expect(await stage.states()).toContain('waiting')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
 test('corners that a script squares in the chip’s own style alone count at once', async ({ stage }) => {
   await stage.settled('children')
   const mutations = () => stage.probe((probe) => probe.mutations)

@@ -117,12 +117,16 @@ test('while one chip is lifted, those that do not touch it sleep on and are not 
   await page.mouse.up()
 })
 
-test('mounting 60 chips reads layout once for each chip and the stage, in an observer', async ({ stage }) => {
+test('bringing 60 chips to life asks for the size of the stage, and for the look of a chip when its turn comes', async ({
+  stage,
+}) => {
+  const reads = () => stage.probe((probe) => probe.layoutReads)
   await stage.open('pile', { chips: 60, stagger: 60000 })
   await stage.reaches('running')
-  // One computed style each, the two inner lengths of the stage, and in development a look for Tailwind's styles.
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  // The two inner lengths of the stage, one computed style, and in development a look for Tailwind's styles.
   // React StrictMode mounts twice, and only the second mount comes to see.
-  expect(await stage.probe((probe) => probe.layoutReads)).toBeLessThanOrEqual(63)
+  expect(await reads()).toBeLessThanOrEqual(4)
 })
 
 /** Counts how often the page is laid out from now on. The browser counts for a session that lasts, not for a new one. */
@@ -196,6 +200,24 @@ for (const [where, path, params] of [
     // Frames in which a chip is released or falls asleep ask the rules.
     expect(median(counted.map(({ rulesMatched }) => rulesMatched))).toBe(0)
   })
+
+test('as the stage comes into view and begins, no chip that waits is styled anew', async ({
+  stage,
+  browser,
+}) => {
+  await stage.page.setViewportSize({ width: 800, height: 500 })
+  await stage.open('pile', { chips: 30, stagger: 60000, above: 1500, below: 500 })
+  await browser.startTracing(stage.page, { categories: [...categories, 'blink_style'] })
+  await stage.page.evaluate(() => scrollTo(0, 1400))
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  expect(await stage.probe((probe) => probe.states)).toEqual(['waiting', 'running'])
+  const trace = new Trace(await browser.stopTracing())
+  const styled = trace.main
+    .filter(({ name }) => name === 'Document::updateStyle')
+    .map(({ args }) => (args.counters as { elementsStyled: number }).elementsStyled)
+  expect(styled.length).toBeGreaterThan(2)
+  expect(Math.max(...styled)).toBeLessThan(30)
+})
 
 /** Nodes inside the stage that have a layer of their own, by the ids of the browser; the map follows every change. */
 async function layersOf(page: Page) {

@@ -150,11 +150,11 @@ export const GravityStack: React.ForwardRefExoticComponent<
           className={cn(
             'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0!',
             'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
-            'data-[state=held]:will-change-transform group-data-[state=running]/stack:data-[state=falling]:will-change-transform',
+            'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
             interactive &&
-              'cursor-grab touch-pan-y touch-pinch-zoom group-data-[state=paused]/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
           {child}

@@ -297,32 +297,39 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip.width = 0
       return withdraw(chip)
     }
+    const known = chip.width === chipWidth && chip.height === chipHeight
+    if (!chip.width) enqueue(chip)
+    chip.width = chipWidth
+    chip.height = chipHeight
+    chip.reach = reach(chipWidth, chipHeight)
+    // What still waits is looked at when its turn comes: at first that would be all of them in one frame.
+    if (chip.id < 0) return
+    const { radius } = chip
+    look(chip)
+    if (known && chip.radius === radius) return
+    world!.reshape(chip.id, chip)
+    draw(chip)
+  }
+
+  /** Reads the corner radius that a chip is drawn with, and watches what it comes from. */
+  function look(chip: Chip) {
     // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
-    let look: CSSStyleDeclaration | undefined
+    let face: CSSStyleDeclaration | undefined
     for (const child of Array.from(chip.element.children)) {
       const style = getComputedStyle(child)
       if (style.display === 'none' || /absolute|fixed/.test(style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
-      look = style
+      face = style
       break
     }
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const corners = (look ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
-    const short = Math.min(chipWidth, chipHeight)
-    const radius = Math.min(
+    const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
+    const short = Math.min(chip.width, chip.height)
+    chip.radius = Math.min(
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
-    if (chip.width === chipWidth && chip.height === chipHeight && chip.radius === radius) return
-    if (!chip.width) enqueue(chip)
-    chip.width = chipWidth
-    chip.height = chipHeight
-    chip.radius = radius
-    chip.reach = reach(chipWidth, chipHeight)
-    if (chip.id < 0) return
-    world!.reshape(chip.id, chip)
-    draw(chip)
   }
 
   // Releases
@@ -391,6 +398,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       const y = poses[other.id * STATE + Y]!
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     })
+    look(chip)
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     released = clock
     chip.id = world!.add({ ...chip, ...pose })
@@ -511,6 +519,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
           )
     state = next
     root.setAttribute('data-state', next)
+    // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
+    root.toggleAttribute('data-halted', next === 'paused' || next === 'static')
     // After the frame: an error in it would end Motion's loop for the whole page.
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
