@@ -1,70 +1,90 @@
-import { expect, type StagePage, test } from './fixtures/stage'
+import { expect, StagePage, test } from './fixtures/stage'
 
-const values = ['nan', 'infinity', 'minus infinity', 'negative', 'huge', 'null', 'text', 'digits', 'object']
+/** How a warning writes each value that a prop may be given. */
+const written = {
+  nan: 'NaN',
+  infinity: 'Infinity',
+  'minus infinity': '-Infinity',
+  negative: '-5',
+  huge: '1e\\+300',
+  null: 'null',
+  text: 'heavy',
+  digits: '2600',
+  object: '\\[object Object\\]',
+  false: 'false',
+}
 
-/** Each value has a page of its own, and only the last one is looked at when a test ends. */
-const unharmed = async (stage: StagePage, value: string) =>
-  expect(await stage.probe((probe) => probe.errors), value).toEqual([])
+/** A page with a stage for each of them. */
+async function open(stage: StagePage, prop: string) {
+  await stage.open('values', { prop })
+  const stages = Object.entries(written).map(([value, text]) => {
+    const root = stage.page.getByTestId(value).locator('[data-slot=gravity-stack]')
+    return { value, text, one: new StagePage(stage.page, root) }
+  })
+  await expect(stage.page.locator('[data-slot=gravity-stack]')).toHaveCount(stages.length)
+  return stages
+}
+
+async function expectPile(one: StagePage, value: string) {
+  await one.reaches('resting')
+  expect(new Set(await one.states()), value).toEqual(new Set(['resting']))
+  expect(await one.overlap(), value).toBeLessThan(1)
+}
 
 for (const prop of ['gravity', 'bounce', 'stagger', 'friction']) {
   test(`whatever ${prop} is given, the chips fall and rest, and a developer is told why`, async ({
     stage,
   }) => {
-    for (const value of values) {
-      await stage.open('inputs', { prop, value })
-      if (prop === 'stagger' && value === 'huge') {
-        // A minute between releases, at most.
-        await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
-      } else {
-        await stage.reaches('resting')
-        expect(await stage.overlap(), value).toBeLessThan(1)
-      }
-      const warnings = await stage.probe((probe) => probe.warnings)
-      // What is wrong, what becomes of it, and what to do.
-      const told = new RegExp(
-        `GravityStack: ${prop} is .+, so .+ stands in for it\\. Pass .+ or leave ${prop} out\\.`,
+    const stages = await open(stage, prop)
+    // A minute between releases, at most.
+    for (const { value, one } of stages)
+      if (prop === 'stagger' && value === 'huge')
+        await expect(one.chips.first()).toHaveAttribute('data-state', 'resting')
+      else await expectPile(one, value)
+    const warnings = await stage.probe((probe) => probe.warnings)
+    expect(warnings).toHaveLength(stages.length)
+    // What is wrong, what becomes of it, and what to do.
+    for (const { text } of stages)
+      expect(warnings.join('\n')).toMatch(
+        new RegExp(
+          `GravityStack: ${prop} is ${text}, which .+, so .+ stands in for it\\. Pass .+ or leave ${prop} out\\.`,
+        ),
       )
-      expect(warnings.join(), value).toMatch(told)
-      await unharmed(stage, value)
-    }
   })
 }
 
 test('whatever interactive is given counts as true or false, and a developer is told which', async ({
   stage,
 }) => {
-  const on = ['infinity', 'minus infinity', 'negative', 'huge', 'text', 'digits', 'object']
-  for (const value of values) {
-    await stage.settled('inputs', { prop: 'interactive', value })
-    const counted = on.includes(value)
-    const cursor = await stage.chips.first().evaluate((chip) => getComputedStyle(chip).cursor)
-    expect(cursor === 'grab', value).toBe(counted)
-    const warnings = await stage.probe((probe) => probe.warnings)
-    expect(warnings.join(), value).toMatch(
-      new RegExp(`GravityStack: interactive is .+, so it counts as ${counted}\\. Pass true or false\\.`),
+  const off = ['nan', 'null', 'false']
+  for (const { value, text, one } of await open(stage, 'interactive')) {
+    await expectPile(one, value)
+    const cursor = await one.chips.first().evaluate((chip) => getComputedStyle(chip).cursor)
+    expect(cursor, value).toBe(off.includes(value) ? 'auto' : 'grab')
+    const warnings = (await stage.probe((probe) => probe.warnings)).join('\n')
+    const told = new RegExp(
+      `GravityStack: interactive is ${text}, .+, so it counts as ${!off.includes(value)}\\. Pass true or false\\.`,
     )
-    await unharmed(stage, value)
+    if (value === 'false') expect(warnings).not.toMatch(/interactive is false/)
+    else expect(warnings).toMatch(told)
   }
 })
 
 test('an onSettle that can’t be called is not, and a developer is told so', async ({ stage }) => {
-  for (const value of [...values, 'false']) {
-    await stage.settled('inputs', { prop: 'onSettle', value })
-    const warnings = (await stage.probe((probe) => probe.warnings)).join()
-    // null, NaN and false are common ways to leave it out.
-    if (['null', 'nan', 'false'].includes(value)) expect(warnings, value).toBe('')
-    else expect(warnings, value).toMatch(/GravityStack: onSettle is .+, so nothing is\. Pass a function/)
-    await unharmed(stage, value)
-  }
+  const stages = await open(stage, 'onSettle')
+  for (const { value, one } of stages) await expectPile(one, value)
+  // null, NaN and false are common ways to leave it out.
+  const wrong = stages.filter(({ value }) => !['null', 'nan', 'false'].includes(value))
+  const warnings = await stage.probe((probe) => probe.warnings)
+  expect(warnings).toHaveLength(wrong.length)
+  for (const { text } of wrong)
+    expect(warnings.join('\n')).toMatch(
+      new RegExp(`GravityStack: onSettle is ${text}, .+, so nothing is\\. Pass a function`),
+    )
 })
 
 test('whatever className is given, the chips fall and rest', async ({ stage }) => {
-  for (const value of values) {
-    await stage.settled('inputs', { prop: 'className', value })
-    expect(new Set(await stage.states()), value).toEqual(new Set(['resting']))
-    expect(await stage.overlap(), value).toBeLessThan(1)
-    await unharmed(stage, value)
-  }
+  for (const { value, one } of await open(stage, 'className')) await expectPile(one, value)
 })
 
 const children: Record<string, { chips: number; falling: number; warns?: string }> = {
