@@ -42,6 +42,20 @@ test('after that wait the next chip falls as ever', async ({ stage }) => {
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
+test('what pointers do elsewhere on the page is heard only while one is down on a chip', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile')
+  const heard = () => stage.probe((probe) => Object.keys(probe.listeners).sort())
+  const idle = ['change', 'click', 'focusin', 'pointerdown', 'touchmove', 'transitionend', 'visibilitychange']
+  expect(await heard()).toEqual(idle)
+  await stage.drag(stage.chips.first(), 30, -60)
+  expect(await heard()).toEqual(expect.arrayContaining(['pointermove', 'pointerup', 'scroll']))
+  await page.mouse.up()
+  expect(await heard()).toEqual(idle)
+})
+
 test('a chip is drawn again only when one of its corners has gone a tenth of a pixel', async ({ stage }) => {
   await stage.settled('pile', { chips: 40, shape: 'all' })
   const { writes, smallest } = await stage.probe((probe) => ({

@@ -105,8 +105,6 @@ interface Press {
   control: boolean
   touch: boolean
   moved?: boolean
-  /** It came up; else it was taken away. */
-  up?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: ReturnType<World['grab']>
 }
@@ -147,6 +145,12 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
+}
+
+/** Adds listeners that end with `controller`. */
+function hearing({ signal }: AbortController) {
+  return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
+    target.addEventListener(type, handler as EventListener, { signal, ...more })
 }
 
 /** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
@@ -209,6 +213,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let swallowClick = false
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
+  /** The same for those that follow pointers while one is down. */
+  let pressing: AbortController | undefined
 
   // Shapes
 
@@ -563,26 +569,31 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function listen() {
     listening?.abort()
     listening = new AbortController()
-    const { signal } = listening
-    const on = (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
-      target.addEventListener(type, handler as EventListener, { signal, ...more })
+    const on = hearing(listening)
     on(still, 'change', stillChanged)
     on(page, 'visibilitychange', sync)
     on(root, 'transitionend', ({ target }) => reshape(target))
     on(root, 'focusin', focus)
     presses.forEach(letGo)
     if (!options.interactive) return
+    // Not every drag ends in a click, and the next press may be on a label outside.
+    on(page.defaultView!, 'pointerdown', () => (swallowClick = false), { capture: true })
     on(root, 'pointerdown', down)
     on(root, 'click', click, { capture: true })
+    // A finger that holds a chip does not scroll: browsers ask before it comes down whether anyone may object.
+    on(root, 'touchmove', scroll, { passive: false })
+  }
+
+  /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
+  function listenToPointers() {
+    pressing = new AbortController()
+    const on = hearing(pressing)
     const view = page.defaultView!
     // Before any handler on the way that keeps events to itself.
     const first = { capture: true }
-    // No link, and no draggable thing around the stage, drags along with a chip; a finger that holds one does not scroll.
-    on(view, 'dragstart', (event: Event) => presses.size && event.preventDefault(), first)
-    on(root, 'touchmove', scroll, { passive: false })
+    // No link, and no draggable thing around the stage, drags along with a chip.
+    on(view, 'dragstart', (event: Event) => event.preventDefault(), first)
     on(view, 'touchstart', pinch, first)
-    // Not every drag ends in a click.
-    on(view, 'pointerdown', () => (swallowClick = false), first)
     on(view, 'pointermove', move, first)
     on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
@@ -665,11 +676,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     track(press, event)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
+    if (!presses.size) listenToPointers()
     presses.set(event.pointerId, press)
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // From what is taken off the page meanwhile the root would hear no more.
-      const { signal } = listening!
+      const { signal } = pressing!
       press.origin.addEventListener('touchmove', scroll as EventListener, { passive: false, signal })
     } else hold(press)
   }
@@ -739,20 +751,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!press) return
     // The chip has taken it from what is inside it, or has it again.
     if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
-    if (event.type === 'pointerup') {
-      move(event)
-      press.up = true
-    }
+    if (event.type === 'pointerup') move(event)
     letGo(press)
   }
 
   function letGo(press: Press) {
     presses.delete(press.down.pointerId)
+    if (!presses.size) pressing!.abort()
     clearTimeout(press.timer)
     if (press.moved) swallowClick = true
     if (!press.grab) return
-    // Taken from a hand that has stood still, it is not thrown: what the hand did before is over.
-    if (!press.up) press.grab.moveTo(press.x, press.y, performance.now() / 1000)
     press.grab.release()
     press.chip.pinched = false
     mark(press.chip, 'falling')
