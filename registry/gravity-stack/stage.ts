@@ -576,11 +576,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     on(root, 'focusin', focus)
     presses.forEach(letGo)
     if (!options.interactive) return
+    const view = page.defaultView!
+    // Before any handler on the way that keeps events to itself.
+    const first = { capture: true }
     // Not every drag ends in a click, and the next press may be on a label outside.
-    on(page.defaultView!, 'pointerdown', () => (swallowClick = false), { capture: true })
+    on(view, 'pointerdown', () => (swallowClick = false), first)
     on(root, 'pointerdown', down)
-    on(root, 'click', click, { capture: true })
-    // A finger that holds a chip does not scroll: browsers ask before it comes down whether anyone may object.
+    on(root, 'click', click, first)
+    // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
+    on(view, 'touchstart', pinch, first)
     on(root, 'touchmove', scroll, { passive: false })
   }
 
@@ -589,11 +593,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     pressing = new AbortController()
     const on = hearing(pressing)
     const view = page.defaultView!
-    // Before any handler on the way that keeps events to itself.
     const first = { capture: true }
     // No link, and no draggable thing around the stage, drags along with a chip.
     on(view, 'dragstart', (event: Event) => event.preventDefault(), first)
-    on(view, 'touchstart', pinch, first)
     on(view, 'pointermove', move, first)
     on(view, 'scroll', follow, first)
     on(view, 'pointerup', up, first)
