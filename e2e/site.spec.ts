@@ -942,7 +942,12 @@ test.describe('playground under a finger', () => {
     await expect(stage).toHaveAttribute('data-state', 'resting')
     await stage.evaluate((element) => element.scrollIntoView({ block: 'center' }))
     const chip = stage.locator('[data-chip]')
-    const top = async () => (await chip.boundingBox())!.y - (await stage.boundingBox())!.y
+    // Both at once: a page that a finger has sent off scrolls on meanwhile.
+    const top = () =>
+      chip.evaluate((element) => {
+        const stage = element.closest('[data-slot=playground-stage]')!
+        return element.getBoundingClientRect().y - stage.getBoundingClientRect().y
+      })
     const scrolled = () => page.evaluate(() => scrollY)
     const session = await page.context().newCDPSession(page)
     const swipe = async (held: boolean) => {
