@@ -3674,6 +3674,9 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
   watcher.observe(element)
 }
 
+/** Before any handler on the way that keeps events to itself. */
+const FIRST = { capture: true }
+
 /** Adds listeners that end with `controller`. */
 function hearing({ signal }: AbortController) {
   return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
@@ -3704,7 +3707,8 @@ function pointerMap(root: HTMLElement) {
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
-  const still = page.defaultView!.matchMedia(STILL)
+  const view = page.defaultView!
+  const still = view.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
@@ -3746,7 +3750,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   // Shapes
 
   // Of the stage's own window: in one that the page has opened no other sees it.
-  const sizes = new (page.defaultView as typeof globalThis & Window).ResizeObserver((entries) => {
+  const sizes = new (view as typeof globalThis & Window).ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
@@ -4103,15 +4107,12 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     on(root, 'focusin', focus)
     presses.forEach(letGo)
     if (!options.interactive) return
-    const view = page.defaultView!
-    // Before any handler on the way that keeps events to itself.
-    const first = { capture: true }
     // Not every drag ends in a click, and the next press may be on a label outside.
-    on(view, 'pointerdown', () => (swallowClick = false), first)
+    on(view, 'pointerdown', () => (swallowClick = false), FIRST)
     on(root, 'pointerdown', down)
-    on(root, 'click', click, first)
+    on(root, 'click', click, FIRST)
     // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
-    on(view, 'touchstart', pinch, first)
+    on(view, 'touchstart', pinch, FIRST)
     on(root, 'touchmove', scroll, { passive: false })
   }
 
@@ -4119,15 +4120,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function listenToPointers() {
     pressing = new AbortController()
     const on = hearing(pressing)
-    const view = page.defaultView!
-    const first = { capture: true }
     // No link, and no draggable thing around the stage, drags along with a chip.
-    on(view, 'dragstart', (event: Event) => event.preventDefault(), first)
-    on(view, 'pointermove', move, first)
-    on(view, 'scroll', follow, first)
-    on(view, 'pointerup', up, first)
-    on(view, 'pointercancel', up, first)
-    on(view, 'lostpointercapture', up, first)
+    on(view, 'dragstart', (event: Event) => event.preventDefault(), FIRST)
+    on(view, 'pointermove', move, FIRST)
+    on(view, 'scroll', follow, FIRST)
+    on(view, 'pointerup', up, FIRST)
+    on(view, 'pointercancel', up, FIRST)
+    on(view, 'lostpointercapture', up, FIRST)
   }
 
   function scroll(event: TouchEvent) {
@@ -4210,8 +4209,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // From what is taken off the page meanwhile the root would hear no more.
-      const { signal } = pressing!
-      press.origin.addEventListener('touchmove', scroll as EventListener, { passive: false, signal })
+      hearing(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
   }
 
@@ -4326,8 +4324,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
   function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
     // A frame of another site is not told how large the window is.
-    let wide = rootBounds ? rootBounds.width : page.defaultView!.innerWidth
-    let high = rootBounds ? rootBounds.height : page.defaultView!.innerHeight
+    let wide = rootBounds ? rootBounds.width : view.innerWidth
+    let high = rootBounds ? rootBounds.height : view.innerHeight
     for (let node = root.parentElement; node; node = node.parentElement) {
       if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
       wide = Math.min(wide, node.clientWidth)
