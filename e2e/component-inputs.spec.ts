@@ -4,7 +4,7 @@ import { expect, StagePage, test } from './fixtures/stage'
 async function open(stage: StagePage, prop: string) {
   await stage.open('values', { prop })
   const all = await stage.page.locator('[data-value]').all()
-  expect(all).toHaveLength(10)
+  expect(all).toHaveLength(12)
   return Promise.all(
     all.map(async (box) => ({
       value: (await box.getAttribute('data-value'))!,

@@ -204,6 +204,26 @@ test('in forced colours every chip keeps an outline, and the focused control its
   expect((await outlines())[0]).toBe('auto')
 })
 
+test('in forced colours a chip of mere words has an outline too', async ({ stage, page }) => {
+  await page.emulateMedia({ forcedColors: 'active' })
+  await stage.settled('surroundings', { kind: 'texts' })
+  for (const chip of await stage.chips.all()) await expect(chip).toHaveCSS('outline-style', 'solid')
+})
+
+test('drop() leaves a pile that stands in its row alone: it lies as before once motion is welcome again', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'front' })
+  const { poses } = await stage.pile()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await stage.reaches('static')
+  await page.locator('#drop').click()
+  await page.emulateMedia({ reducedMotion: 'no-preference' })
+  await stage.reaches('resting')
+  expect((await stage.pile()).poses).toEqual(poses)
+})
+
 for (const state of ['waiting', 'running', 'resting']) {
   test(`axe finds nothing while the stage is ${state}`, async ({ stage, page }) => {
     await page.setViewportSize({ width: 800, height: 500 })

@@ -139,6 +139,7 @@ for (const [kind, larger] of [
   ['panel', 'higher'],
   ['wide', 'wider'],
   ['clipped', 'wider'],
+  ['shadowed', 'higher'],
 ]) {
   test(`a ${kind} stage much ${larger} than what it scrolls in drops when it fills what can be seen of it`, async ({
     stage,
@@ -147,6 +148,35 @@ for (const [kind, larger] of [
     await stage.reaches('running')
   })
 }
+
+test('a stage much higher than the frame that it stands in drops', async ({ page }) => {
+  await page.goto('/surroundings?kind=framed')
+  const root = page.frameLocator('iframe').locator('[data-slot=gravity-stack]')
+  await expect(root).toHaveAttribute('data-state', 'running')
+})
+
+test('a stage of which a tenth is in view waits, though the body that clips it has no height', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'bodiless' })
+  await expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
+  await page.evaluate(() => window.probe.pass(10))
+  await stage.reaches('waiting')
+  await page.mouse.wheel(0, 200)
+  await stage.reaches('running')
+})
+
+test('what a portal among the chips shows keeps what was typed there when a chip comes before it', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'portal' })
+  await page.getByLabel('elsewhere').fill('typed')
+  await page.locator('#next').click()
+  await expect(stage.chip('new')).toHaveAttribute('data-state', 'falling')
+  await expect(page.getByLabel('elsewhere')).toHaveValue('typed')
+})
 
 for (const kind of ['column', 'row', 'grid']) {
   test(`a stage in the middle of a ${kind} is as wide as that is`, async ({ stage }) => {
@@ -191,6 +221,18 @@ test('a paused stage that becomes narrower has all its chips inside and apart', 
   await expect.poll(() => stage.outside()).toBeLessThan(1)
   expect(await stage.overlap()).toBeLessThan(1)
   await stage.reaches('paused')
+})
+
+test('a chip that comes to a paused stage moves none of those in mid-fall', async ({ stage, page }) => {
+  await stage.open('surroundings', { kind: 'front' })
+  await expect(stage.chip('one')).toHaveAttribute('data-state', 'falling')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  const { poses } = await stage.pile()
+  await page.locator('#next').click()
+  await expect(stage.chips).toHaveCount(4)
+  await page.evaluate(() => window.probe.pass(10))
+  expect((await stage.pile()).poses.slice(1)).toEqual(poses)
 })
 
 test('a stage in a window that the page has opened drops its chips', async ({ stage, page, context }) => {

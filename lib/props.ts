@@ -25,7 +25,9 @@ export function readProps(): Prop[] {
     if (used !== undefined && written !== used) {
       throw new Error(`GravityStackProps.${name} says @default ${written}, the code says ${used}`)
     }
-    const type = prop.tsType && 'raw' in prop.tsType && prop.tsType.raw ? prop.tsType.raw : prop.tsType?.name
+    const raw = prop.tsType && 'raw' in prop.tsType && prop.tsType.raw ? prop.tsType.raw : prop.tsType?.name
+    // That a prop may be left out says its question mark, for those who write it down as well.
+    const type = raw?.replace(/ \| undefined$/, '').replace(/^\((.*)\)$/, '$1')
     return {
       name,
       type: type ?? 'unknown',

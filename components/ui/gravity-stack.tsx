@@ -161,6 +161,8 @@ const REST_TIME = 0.5
 const STRAIGHTENING = 20_000
 /** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
 const ROOM_ROUNDS = 8
+/** How many steps' worth of that a world in which no time passes does at once. */
+const ROOM_STEPS = 6
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 const FOLLOW = 0.03
 
@@ -3307,6 +3309,20 @@ function createWorld(options: WorldOptions) {
       scene.cramped = PATIENCE
     },
 
+    /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
+    makeRoom(): void {
+      const { state, before } = bodies
+      const shift = (sign: number) => {
+        for (let n = 0; n < bodies.awakeCount; n++)
+          for (let axis = 0; axis < 3; axis++)
+            before[bodies.awake[n]! * 3 + axis] += sign * state[bodies.awake[n]! * STATE + axis]!
+      }
+      // What is drawn lies between two poses: both move by as much.
+      shift(-1)
+      for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
+      shift(1)
+    },
+
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
     configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
       const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
@@ -3550,8 +3566,6 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** Steps in which a paused stage that was resized, or whose chips were, makes room. */
-const ROOM = 6
 /** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
@@ -3607,11 +3621,11 @@ interface Chip {
   due: number
   /** In the world, or -1. */
   id: number
-  /** Pose as drawn, and whether it is drawn smaller, as in a hand. */
+  /** Pose as drawn, and what draws it smaller in a hand. */
   x: number
   y: number
   angle: number
-  pinched: boolean
+  pinch: string
 }
 
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
@@ -3627,9 +3641,8 @@ interface Press {
   seconds: number
   offX: number
   offY: number
-  /** What it went down on, and whether that is a control. */
+  /** What it went down on. */
   origin: Element
-  control: boolean
   touch: boolean
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
@@ -3647,13 +3660,22 @@ function warn(message: string) {
   console.warn(`GravityStack: ${message}`)
 }
 
+/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
+function written(value: unknown) {
+  try {
+    return String(value)
+  } catch {
+    return typeof value
+  }
+}
+
 /** The number that stands for what a caller wrote. */
 function sane(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${value}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
     )
   return result
 }
@@ -3672,6 +3694,11 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
+}
+
+/** The element around another, outside of a shadow tree too. */
+function above(node: Element): Element | null {
+  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host ?? null
 }
 
 /** Before any handler on the way that keeps events to itself. */
@@ -3772,7 +3799,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync()
     if (state === 'paused' && pausing.current) {
       // No time passes, but nothing may stay behind a wall or in another chip.
-      world!.step(ROOM * STEP)
+      world!.makeRoom()
       world!.eachMoved(paint)
     }
   })
@@ -3798,7 +3825,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
+      chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
       if (moves) sizes.observe(element)
     }
     const waiting = queue.length
@@ -3860,6 +3887,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       face = style
       break
     }
+    const { style } = chip.element
+    // Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below.
+    style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
@@ -3867,6 +3897,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
+    if (face) style.borderRadius = `${chip.radius}px`
   }
 
   // Releases
@@ -3997,7 +4028,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
     const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-    element.style.transform = chip.pinched ? `${at}scale(${HELD_SCALE})` : at
+    element.style.transform = at + chip.pinch
   }
 
   function mark(chip: Chip, next: Chip['state']) {
@@ -4110,6 +4141,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // Not every drag ends in a click, and the next press may be on a label outside.
     on(view, 'pointerdown', () => (swallowClick = false), FIRST)
     on(root, 'pointerdown', down)
+    on(view, 'click', swallow, FIRST)
     on(root, 'click', click, FIRST)
     // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
     on(view, 'touchstart', pinch, FIRST)
@@ -4197,7 +4229,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       chip,
       down: event,
       origin: event.target as Element,
-      control: within(chip, event, CONTROL),
       toStage: pointerMap(root),
       touch,
     } as unknown as Press
@@ -4237,8 +4268,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
-    // What shrinks under the pointer may miss its click: a control does so when it is dragged.
-    chip.pinched = !!press.moved || !press.control
+    // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
+    const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
+    const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
+    chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
     toFront(chip)
     draw(chip)
     sync()
@@ -4256,7 +4289,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      press.chip.pinched = !!press.grab
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
       if (!press.grab) return hold(press)
@@ -4289,23 +4321,27 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (press.moved) swallowClick = true
     if (!press.grab) return
     press.grab.release()
-    press.chip.pinched = false
+    press.chip.pinch = ''
     mark(press.chip, 'falling')
     draw(press.chip)
     sync()
   }
 
-  function click(event: PointerEvent) {
+  /** A drag is no click. Nobody on the way to the stage hears of it either. */
+  function swallow(event: PointerEvent) {
     // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
-    if (swallowClick && (event.pointerType ?? event.detail)) {
-      swallowClick = false
-      event.preventDefault()
-      event.stopPropagation()
-      return
-    }
-    // A way to move a chip without dragging.
+    if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
+    swallowClick = false
+    event.preventDefault()
+    event.stopPropagation()
+  }
+
+  /** A way to move a chip without dragging. */
+  function click(event: PointerEvent) {
+    // From a closed shadow tree the window is not told where the click is.
+    swallow(event)
     const chip = touched(event)
-    if (!chip || within(chip, event, CONTROL)) return
+    if (event.defaultPrevented || !chip || within(chip, event, CONTROL)) return
     kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
@@ -4323,11 +4359,12 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
   function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
-    // A frame of another site is not told how large the window is.
-    let wide = rootBounds ? rootBounds.width : view.innerWidth
-    let high = rootBounds ? rootBounds.height : view.innerHeight
-    for (let node = root.parentElement; node; node = node.parentElement) {
-      if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
+    // A frame of another site is not told how large the window is, one of the same site that of the page around it.
+    let wide = Math.min(rootBounds?.width ?? Infinity, view.innerWidth)
+    let high = Math.min(rootBounds?.height ?? Infinity, view.innerHeight)
+    for (let node = above(root); node; node = above(node)) {
+      // What the body says of overflow counts for the window.
+      if (node === page.body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
       wide = Math.min(wide, node.clientWidth)
       high = Math.min(high, node.clientHeight)
     }
@@ -4354,13 +4391,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       options = { ...next } as typeof options
       if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
         warn(
-          `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
+          `interactive is ${written(next.interactive)}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
         )
       if (typeof next.onSettle !== 'function') {
         // `ready && save` is how people leave it out.
         if (process.env.NODE_ENV !== 'production' && next.onSettle)
           warn(
-            `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+            `onSettle is ${written(next.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
           )
         options.onSettle = undefined
       }
@@ -4377,7 +4414,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       sync()
     },
     drop() {
-      if (!world) return
+      if (!world || still.matches) return
       presses.forEach(letGo)
       started = true
       pausing.current = false
@@ -4434,49 +4471,49 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * Downward acceleration, px/s².
    * @default 2600
    */
-  gravity?: number
+  gravity?: number | undefined
   /**
    * Restitution: the share of its speed that a chip keeps when it bounces.
    * @default 0.18
    */
-  bounce?: number
+  bounce?: number | undefined
   /**
    * Average time between releases, in ms; each may come up to 120 ms late.
    * @default 150
    */
-  stagger?: number
+  stagger?: number | undefined
   /**
    * Lets people grab and toss the chips with a pointer.
    * @default true
    */
-  interactive?: boolean
+  interactive?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
-  className?: string
+  className?: string | undefined
   /**
    * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
-  friction?: number
+  friction?: number | undefined
   /** Called each time the last moving chip comes to rest; never with reduced motion, where nothing moves. */
-  onSettle?: () => void
+  onSettle?: (() => void) | undefined
   /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
-  actionsRef?: React.Ref<GravityStackActions>
+  actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** A text in the place of an element: React then gives it a key by its slot among the children. */
+/** A text, or a portal, in the place of an element: React then gives it a key by its slot among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
   const all: React.ReactNode[] | null | undefined = React.Children.map(children, (child) => {
-    if (typeof child === 'object') return child
+    if (child === null || React.isValidElement(child)) return child
     // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
-    return String(child).trim() ? <Words>{child}</Words> : null
+    return typeof child === 'object' || String(child).trim() ? <Words>{child}</Words> : null
   })
-  return (all ?? []).flatMap((child, i): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
-    const key = `${path}/${child.key}`
-    return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
+  return (all ?? []).flatMap((child): [string, React.ReactNode][] => {
+    const { key: own, type, props } = child as React.ReactElement<React.PropsWithChildren>
+    const key = `${path}/${own}`
+    return type === React.Fragment ? chipsOf(props.children, key) : [[key, child]]
   })
 }
 
@@ -4559,6 +4596,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
             'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+            'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',

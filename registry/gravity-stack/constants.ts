@@ -143,6 +143,8 @@ export const REST_TIME = 0.5
 export const STRAIGHTENING = 20_000
 /** How often a step looks for new pairs while it makes room, for at most `PATIENCE` steps, for what moved walls or grown chips have pressed together. */
 export const ROOM_ROUNDS = 8
+/** How many steps' worth of that a world in which no time passes does at once. */
+export const ROOM_STEPS = 6
 /** Share of that displacement by which the place it is counted from follows in a step: creep of less than 1 px/s is rest. */
 export const FOLLOW = 0.03
 

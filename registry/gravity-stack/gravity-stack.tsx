@@ -27,49 +27,49 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * Downward acceleration, px/s².
    * @default 2600
    */
-  gravity?: number
+  gravity?: number | undefined
   /**
    * Restitution: the share of its speed that a chip keeps when it bounces.
    * @default 0.18
    */
-  bounce?: number
+  bounce?: number | undefined
   /**
    * Average time between releases, in ms; each may come up to 120 ms late.
    * @default 150
    */
-  stagger?: number
+  stagger?: number | undefined
   /**
    * Lets people grab and toss the chips with a pointer.
    * @default true
    */
-  interactive?: boolean
+  interactive?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
-  className?: string
+  className?: string | undefined
   /**
    * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
-  friction?: number
+  friction?: number | undefined
   /** Called each time the last moving chip comes to rest; never with reduced motion, where nothing moves. */
-  onSettle?: () => void
+  onSettle?: (() => void) | undefined
   /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
-  actionsRef?: React.Ref<GravityStackActions>
+  actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** A text in the place of an element: React then gives it a key by its slot among the children. */
+/** A text, or a portal, in the place of an element: React then gives it a key by its slot among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
   const all: React.ReactNode[] | null | undefined = React.Children.map(children, (child) => {
-    if (typeof child === 'object') return child
+    if (child === null || React.isValidElement(child)) return child
     // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
-    return String(child).trim() ? <Words>{child}</Words> : null
+    return typeof child === 'object' || String(child).trim() ? <Words>{child}</Words> : null
   })
-  return (all ?? []).flatMap((child, i): [string, React.ReactNode][] => {
-    if (!React.isValidElement<React.PropsWithChildren>(child)) return [[`${path}/${i}`, child]]
-    const key = `${path}/${child.key}`
-    return child.type === React.Fragment ? chipsOf(child.props.children, key) : [[key, child]]
+  return (all ?? []).flatMap((child): [string, React.ReactNode][] => {
+    const { key: own, type, props } = child as React.ReactElement<React.PropsWithChildren>
+    const key = `${path}/${own}`
+    return type === React.Fragment ? chipsOf(props.children, key) : [[key, child]]
   })
 }
 
@@ -152,6 +152,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
             'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+            'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',

@@ -22,13 +22,14 @@ import {
   LINEAR_DAMPING,
   MAX_SPEED,
   PATIENCE,
+  ROOM_STEPS,
   STEP,
   SUBSTEPS,
 } from './constants'
 import { CLEAR, CONTACT, DRAG, DUE, LOAD, POINTS, SECOND } from './contacts'
 import { createHold, recordHold, throwVelocity } from './grab'
 import { enterPairs, leavePairs } from './pairs'
-import { disturb, Simulation, stepOnce, wake } from './step'
+import { disturb, makeRoom, Simulation, stepOnce, wake } from './step'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -168,6 +169,20 @@ export function createWorld(options: WorldOptions) {
       // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
       for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(c)
       scene.cramped = PATIENCE
+    },
+
+    /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
+    makeRoom(): void {
+      const { state, before } = bodies
+      const shift = (sign: number) => {
+        for (let n = 0; n < bodies.awakeCount; n++)
+          for (let axis = 0; axis < 3; axis++)
+            before[bodies.awake[n]! * 3 + axis] += sign * state[bodies.awake[n]! * STATE + axis]!
+      }
+      // What is drawn lies between two poses: both move by as much.
+      shift(-1)
+      for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
+      shift(1)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */

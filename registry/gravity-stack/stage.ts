@@ -1,6 +1,6 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { BOUNCE, FRICTION, GRAVITY, STEP, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
+import { BOUNCE, FRICTION, GRAVITY, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { createWorld, type World } from './simulation'
 
@@ -23,8 +23,6 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** Steps in which a paused stage that was resized, or whose chips were, makes room. */
-const ROOM = 6
 /** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
 const VISIBLE = 0.11
 /** Size of a held chip, as if pressed between two fingers. */
@@ -80,11 +78,11 @@ interface Chip {
   due: number
   /** In the world, or -1. */
   id: number
-  /** Pose as drawn, and whether it is drawn smaller, as in a hand. */
+  /** Pose as drawn, and what draws it smaller in a hand. */
   x: number
   y: number
   angle: number
-  pinched: boolean
+  pinch: string
 }
 
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
@@ -100,9 +98,8 @@ interface Press {
   seconds: number
   offX: number
   offY: number
-  /** What it went down on, and whether that is a control. */
+  /** What it went down on. */
   origin: Element
-  control: boolean
   touch: boolean
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
@@ -120,13 +117,22 @@ function warn(message: string) {
   console.warn(`GravityStack: ${message}`)
 }
 
+/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
+function written(value: unknown) {
+  try {
+    return String(value)
+  } catch {
+    return typeof value
+  }
+}
+
 /** The number that stands for what a caller wrote. */
 function sane(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${value}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
     )
   return result
 }
@@ -145,6 +151,11 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
     { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
   )
   watcher.observe(element)
+}
+
+/** The element around another, outside of a shadow tree too. */
+function above(node: Element): Element | null {
+  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host ?? null
 }
 
 /** Before any handler on the way that keeps events to itself. */
@@ -245,7 +256,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     sync()
     if (state === 'paused' && pausing.current) {
       // No time passes, but nothing may stay behind a wall or in another chip.
-      world!.step(ROOM * STEP)
+      world!.makeRoom()
       world!.eachMoved(paint)
     }
   })
@@ -271,7 +282,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1 } as Chip)
+      chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
       if (moves) sizes.observe(element)
     }
     const waiting = queue.length
@@ -333,6 +344,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       face = style
       break
     }
+    const { style } = chip.element
+    // Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below.
+    style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
@@ -340,6 +354,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
+    if (face) style.borderRadius = `${chip.radius}px`
   }
 
   // Releases
@@ -470,7 +485,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function draw(chip: Chip) {
     const { element, x, y, angle } = chip
     const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-    element.style.transform = chip.pinched ? `${at}scale(${HELD_SCALE})` : at
+    element.style.transform = at + chip.pinch
   }
 
   function mark(chip: Chip, next: Chip['state']) {
@@ -583,6 +598,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Not every drag ends in a click, and the next press may be on a label outside.
     on(view, 'pointerdown', () => (swallowClick = false), FIRST)
     on(root, 'pointerdown', down)
+    on(view, 'click', swallow, FIRST)
     on(root, 'click', click, FIRST)
     // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
     on(view, 'touchstart', pinch, FIRST)
@@ -670,7 +686,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip,
       down: event,
       origin: event.target as Element,
-      control: within(chip, event, CONTROL),
       toStage: pointerMap(root),
       touch,
     } as unknown as Press
@@ -710,8 +725,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
-    // What shrinks under the pointer may miss its click: a control does so when it is dragged.
-    chip.pinched = !!press.moved || !press.control
+    // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
+    const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
+    const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
+    chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
     toFront(chip)
     draw(chip)
     sync()
@@ -729,7 +746,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      press.chip.pinched = !!press.grab
       // A finger is captured by what it touched from the start.
       if (!press.touch) capture(press)
       if (!press.grab) return hold(press)
@@ -762,23 +778,27 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (press.moved) swallowClick = true
     if (!press.grab) return
     press.grab.release()
-    press.chip.pinched = false
+    press.chip.pinch = ''
     mark(press.chip, 'falling')
     draw(press.chip)
     sync()
   }
 
-  function click(event: PointerEvent) {
+  /** A drag is no click. Nobody on the way to the stage hears of it either. */
+  function swallow(event: PointerEvent) {
     // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
-    if (swallowClick && (event.pointerType ?? event.detail)) {
-      swallowClick = false
-      event.preventDefault()
-      event.stopPropagation()
-      return
-    }
-    // A way to move a chip without dragging.
+    if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
+    swallowClick = false
+    event.preventDefault()
+    event.stopPropagation()
+  }
+
+  /** A way to move a chip without dragging. */
+  function click(event: PointerEvent) {
+    // From a closed shadow tree the window is not told where the click is.
+    swallow(event)
     const chip = touched(event)
-    if (!chip || within(chip, event, CONTROL)) return
+    if (event.defaultPrevented || !chip || within(chip, event, CONTROL)) return
     kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
     sync()
   }
@@ -796,11 +816,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
   function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
-    // A frame of another site is not told how large the window is.
-    let wide = rootBounds ? rootBounds.width : view.innerWidth
-    let high = rootBounds ? rootBounds.height : view.innerHeight
-    for (let node = root.parentElement; node; node = node.parentElement) {
-      if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
+    // A frame of another site is not told how large the window is, one of the same site that of the page around it.
+    let wide = Math.min(rootBounds?.width ?? Infinity, view.innerWidth)
+    let high = Math.min(rootBounds?.height ?? Infinity, view.innerHeight)
+    for (let node = above(root); node; node = above(node)) {
+      // What the body says of overflow counts for the window.
+      if (node === page.body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
       wide = Math.min(wide, node.clientWidth)
       high = Math.min(high, node.clientHeight)
     }
@@ -827,13 +848,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       options = { ...next } as typeof options
       if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
         warn(
-          `interactive is ${next.interactive}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
+          `interactive is ${written(next.interactive)}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
         )
       if (typeof next.onSettle !== 'function') {
         // `ready && save` is how people leave it out.
         if (process.env.NODE_ENV !== 'production' && next.onSettle)
           warn(
-            `onSettle is ${next.onSettle}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+            `onSettle is ${written(next.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
           )
         options.onSettle = undefined
       }
@@ -850,7 +871,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sync()
     },
     drop() {
-      if (!world) return
+      if (!world || still.matches) return
       presses.forEach(letGo)
       started = true
       pausing.current = false

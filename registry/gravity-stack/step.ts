@@ -374,7 +374,7 @@ function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
  * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity changes, so
  * nothing is thrown. After a jump it takes some steps.
  */
-function makeRoom(simulation: Simulation): void {
+export function makeRoom(simulation: Simulation): void {
   const { bodies, contacts, pairs } = simulation
   const { asleep } = bodies
   simulation.cramped--
