@@ -436,7 +436,9 @@ export function Playground() {
           />
           <span className="font-mono text-[0.8125rem]">interactive</span>
         </label>
-        <p className="-mt-3 text-muted-foreground">Dragging only; a tap’s hop is the component’s own.</p>
+        <p className="-mt-3 text-muted-foreground">
+          Here chips can only be dragged; in the component a tap makes one hop, too.
+        </p>
         <button
           type="button"
           className={button}

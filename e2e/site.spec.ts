@@ -125,7 +125,7 @@ for (const path of pages.filter((path) => path !== '/404')) {
   test(`${twin} is the page in Markdown, with no tag left and no dead link`, async ({ page, request }) => {
     await page.goto(path)
     const answer = await request.get(twin)
-    expect(answer.headers()['content-type']).toMatch(/^text\/markdown/)
+    expect(answer.headers()['content-type']).toBe('text/markdown;charset=utf-8')
     const markdown = await answer.text()
     expect(markdown).toContain(`# ${await page.getByRole('heading', { level: 1 }).textContent()}\n`)
     expect(markdown.replace(/^```[\s\S]*?^```/gm, '')).not.toMatch(/^<\/?[A-Z]/m)

@@ -3,6 +3,7 @@ import { existsSync, readFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { join } from 'node:path'
 import compression from 'compression'
+import { lookup } from 'mrmime'
 import sirv from 'sirv'
 import { siteUrl } from '../site.config.mjs'
 import { isMain, root } from './run.mjs'
@@ -32,7 +33,8 @@ function serve(port) {
     // read from disk each time, so that a build made meanwhile shows
     dev: true,
     setHeaders(response, url) {
-      const type = response.getHeader('Content-Type')
+      // sirv names a type only after this, and a charset for pages alone.
+      const type = lookup(url)
       if (/^text\/\w+$/.test(type)) response.setHeader('Content-Type', `${type};charset=utf-8`)
       for (const rule of rules) {
         if (rule.matches(url)) for (const [name, value] of rule.headers) response.setHeader(name, value)

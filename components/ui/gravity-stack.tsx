@@ -3887,9 +3887,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       face = style
       break
     }
-    const { style } = chip.element
-    // Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below.
-    style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
@@ -3897,7 +3894,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
-    if (face) style.borderRadius = `${chip.radius}px`
   }
 
   // Releases

@@ -344,9 +344,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       face = style
       break
     }
-    const { style } = chip.element
-    // Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below.
-    style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
@@ -354,7 +351,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
-    if (face) style.borderRadius = `${chip.radius}px`
   }
 
   // Releases
