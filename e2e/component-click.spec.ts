@@ -57,6 +57,23 @@ test('a chip is tapped at its very edge, and hears of it', async ({ stage, page 
   await stage.reaches('running')
 })
 
+test('beside a disc, in the corner of its box, nothing is pressed', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 1, shape: 'disc' })
+  const { poses, stage: size } = await stage.pile()
+  const box = (await stage.root.boundingBox())!
+  const hit = (dx: number, dy: number) =>
+    page.evaluate(
+      ([x, y]) => document.elementFromPoint(x, y)?.closest('[data-slot]')?.getAttribute('data-slot'),
+      [box.x + poses[0].x + dx, box.y + poses[0].y + dy],
+    )
+  expect(size.height).toBe(340)
+  // A disc of 48 px, however it is turned: at most 24 px from its centre.
+  for (const angle of [0, 1, 2, 3, 4, 5, 6]) {
+    expect(await hit(22 * Math.cos(angle), 22 * Math.sin(angle))).toBe('gravity-stack-chip')
+    expect(await hit(26 * Math.cos(angle), -26 * Math.abs(Math.sin(angle)))).toBe('gravity-stack')
+  }
+})
+
 test('a drag of a link is a click to nobody around the stage', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'capturing' })
   await stage.drag(stage.chip('there'), 60, -60)

@@ -330,6 +330,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (known && chip.radius === radius) return
     world!.reshape(chip.id, chip)
     draw(chip)
+    round(chip)
   }
 
   /** Reads the corner radius that a chip is drawn with, and watches what it comes from. */
@@ -344,6 +345,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       face = style
       break
     }
+    if (!face) chip.element.style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
     const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
@@ -351,6 +353,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
       short / 2,
     )
+  }
+
+  /** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
+  function round({ element, radius }: Chip) {
+    element.style.borderRadius = `${radius}px`
   }
 
   // Releases
@@ -468,6 +475,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = (angle - chip.angle) * chip.reach
+    // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
+    if (Number.isNaN(chip.x)) round(chip)
     // One corner at least has gone this far. A chip never drawn compares as not a number.
     if (!(dx * dx + dy * dy + turned * turned < VISIBLE * VISIBLE)) {
       chip.x = x
