@@ -120,7 +120,7 @@ function warn(message: string) {
 /** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
 function written(value: unknown) {
   try {
-    return String(value)
+    return typeof value === 'string' ? JSON.stringify(value) : String(value)
   } catch {
     return typeof value
   }
