@@ -36,12 +36,19 @@ const button =
 export function Hero({ children }: { children: ReactNode }) {
   const actions = useRef<GravityStackActions>(null)
   const [action, setAction] = useState<HeroAction>()
+  const [paused, setPaused] = useState(false)
   const [neutral, setNeutral] = useState(false)
   const [heavier, setHeavier] = useState(false)
   const [bouncier, setBouncier] = useState(false)
 
+  function perform(action: HeroAction) {
+    // In a paused stage it would be seen only later.
+    if (action === 'shake') actions.current?.resume()
+    actions.current?.[action]()
+    setPaused(action === 'pause')
+  }
   // The new gravity or bounce reaches the stage with the next render.
-  const drop = () => requestAnimationFrame(() => actions.current?.drop())
+  const drop = () => requestAnimationFrame(() => perform('drop'))
 
   const settings: { label: string; pressed: boolean; set: () => void }[] = [
     { label: 'Tinted', pressed: !neutral, set: () => setNeutral(false) },
@@ -92,21 +99,26 @@ export function Hero({ children }: { children: ReactNode }) {
       </section>
 
       <div className="code border-t">
-        <div data-print="hide" className="flex flex-wrap items-center gap-1.5 border-b p-2 sm:px-3">
-          {Object.entries(heroActions).map(([name, label]) => (
+        <div
+          data-print="hide"
+          className="relative flex flex-wrap items-center gap-1.5 border-b p-2 max-sm:*:px-3 sm:px-3"
+        >
+          {(['drop', 'shake', paused ? 'resume' : 'pause'] as const).map((name, place) => (
             <button
-              key={name}
+              // biome-ignore lint/suspicious/noArrayIndexKey: one button pauses and resumes, and keeps its focus
+              key={place}
               type="button"
               onClick={() => {
-                setAction(name as HeroAction)
-                actions.current?.[name as HeroAction]()
+                setAction(name)
+                perform(name)
               }}
               className={button}
             >
-              {label}
+              {heroActions[name]}
             </button>
           ))}
-          <span aria-hidden="true" className="mx-1.5 h-5 border-l" />
+          {/* On a phone the row breaks here. */}
+          <span aria-hidden="true" className="max-sm:basis-full sm:mx-1.5 sm:h-5 sm:border-l" />
           {settings.map(({ label, pressed, set }) => (
             <button
               key={label}
@@ -124,12 +136,9 @@ export function Hero({ children }: { children: ReactNode }) {
           <span className="hidden px-2 text-muted-foreground text-sm motion-reduce:inline">
             Motion is off, as your system asks.
           </span>
-          <CopyButton className="ml-auto" />
+          <CopyButton className="top-2 right-2 max-sm:absolute sm:ml-auto" />
         </div>
-        {/* As high as its longest code, so that nothing below moves with a press. */}
-        <div className="[&>pre]:min-h-[calc(12lh+2rem)]">
-          <LiveCode code={heroCode({ neutral, heavier, bouncier }, action)} />
-        </div>
+        <LiveCode code={heroCode({ neutral, heavier, bouncier }, action)} />
       </div>
     </div>
   )

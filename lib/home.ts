@@ -22,6 +22,7 @@ export type Fact = { figure: string; title: string; text: string; more?: { title
 
 export async function facts(): Promise<Fact[]> {
   const cost = costOf60()
+  const script = scriptOf60()
   return [
     {
       figure: `${await componentSize()} kB`,
@@ -41,7 +42,7 @@ export async function facts(): Promise<Fact[]> {
     {
       figure: `${cost.micros} µs`,
       title: 'of physics a frame, 60 chips awake',
-      text: `The solver alone, in Node on ${cost.cpu}; with the page around it, in a browser, ${scriptOf60().toFixed(1)} ms of script. Beside six other engines and against exact answers.`,
+      text: `The solver alone, in Node on ${cost.cpu}; with the page around it ${script.ms.toFixed(1)} ms of script, in Chromium on ${script.cpu}. Beside six other engines and against exact answers.`,
       more: { title: 'Benchmarks', href: '/benchmarks' },
     },
   ]
