@@ -32,7 +32,7 @@ export function PropsTable() {
                 <span className="sr-only">, </span>
                 {prop.type.replace('<', '<\u200b')}
                 {prop.range && `, ${prop.range}`}
-                {prop.fallback && <span className="sm:hidden"> = {prop.fallback}</span>}
+                {prop.fallback && <span className="block sm:hidden">= {prop.fallback}</span>}
               </span>
             </th>
             <td className="px-3 py-3 sm:px-4 font-mono text-[0.8125rem] text-muted-foreground max-sm:hidden">

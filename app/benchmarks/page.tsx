@@ -393,7 +393,7 @@ const spreads = (() => {
     .toSorted((a, b) => a - b)
   if (all.length === 0) return ''
   const [half, most] = [0.5, 0.95].map((share) => (100 * all[Math.floor(share * all.length)]).toFixed(0))
-  return `: the slowest round took at most ${half} % longer than the fastest in half of the cases, at most ${most} % in 95 of 100`
+  return `: the slowest round took at most ${half}\u00a0% longer than the fastest in half of the cases, at most ${most}\u00a0% in 95 of 100`
 })()
 
 /** `3`, or `1 to 3` where they differ. */
@@ -639,7 +639,7 @@ const cheaperTable = {
         ? 'none'
         : shares.map(({ engine, share }) => (
             <span key={engine} className="block min-w-44">
-              <EngineName engine={engine} /> {figure(share)}&nbsp;×
+              <EngineName engine={engine}> {figure(share)}&nbsp;×</EngineName>
             </span>
           ))
     }),

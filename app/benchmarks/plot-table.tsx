@@ -57,10 +57,9 @@ export function PlotTable({ name, label, unit }: { name: string; label: string; 
             head={['Engine', 'Setting', `Error, ${unit}`, 'µs']}
             numbers={[2, 3]}
             rows={rows.map(([engine, setting, error, cost, best]) => [
-              <span key="engine">
-                <EngineName engine={engineOrder[engine]} />
+              <EngineName key="engine" engine={engineOrder[engine]}>
                 {best ? ' (frontier)' : ''}
-              </span>,
+              </EngineName>,
               setting,
               figure(error ?? Number.POSITIVE_INFINITY),
               figure(cost),

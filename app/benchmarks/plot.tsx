@@ -48,8 +48,10 @@ export function EngineName({ engine, children }: { engine: string; children?: Re
       >
         <Mark engine={engine} />
       </svg>
-      {looks[engine].title}
-      {children}
+      <span>
+        {looks[engine].title}
+        {children}
+      </span>
     </span>
   )
 }
