@@ -294,7 +294,7 @@ export function Playground() {
 
   return (
     <div className="mt-8 grid grid-cols-[minmax(0,1fr)] gap-6 lg:grid-cols-[minmax(0,1fr)_19rem] lg:grid-rows-[auto_1fr]">
-      <div className="min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
+      <div data-print="hide" className="min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
         <div className="flex flex-wrap items-center gap-2 border-b p-3">
           <button
             type="button"
@@ -403,6 +403,7 @@ export function Playground() {
       </div>
 
       <form
+        data-print="hide"
         aria-label="Settings"
         onSubmit={(event) => event.preventDefault()}
         className="flex flex-col gap-5 self-start rounded-2xl border bg-panel p-5 text-sm lg:row-span-2"

@@ -31,7 +31,7 @@ export function PreviewTabs({ name, code, again }: { name: string; code: ReactNo
           <button
             type="button"
             onClick={() => setDrop(drop + 1)}
-            className="inline-flex h-8 items-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground"
+            className="inline-flex h-8 items-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground motion-reduce:hidden"
           >
             {again}
           </button>
