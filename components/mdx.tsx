@@ -9,6 +9,7 @@ import { ComponentPreview } from './component-preview'
 import { ComponentSource } from './component-source'
 import { CopyButton } from './copy-button'
 import { ElevationLadder } from './elevation-ladder'
+import { ElevationSource } from './elevation-source'
 import { Heading } from './heading'
 import { Install, InstallWay } from './install'
 import { LiveFigure } from './lab'
@@ -84,6 +85,7 @@ const components: Record<string, unknown> = {
   ComponentPreview,
   ComponentSource,
   ElevationLadder,
+  ElevationSource,
   FuzzTable,
   HardScenesTable,
   Install,

@@ -2,11 +2,11 @@ import 'server-only'
 import { createHighlighter } from 'shiki'
 import { codeTheme } from './code-theme'
 
-const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx'] })
+const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx', 'css'] })
 
-/** TSX in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
-export async function highlight(code: string): Promise<string> {
-  const html = (await highlighter).codeToHtml(code.trimEnd(), { lang: 'tsx', theme: codeTheme })
+/** Code in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
+export async function highlight(code: string, lang: 'tsx' | 'css' = 'tsx'): Promise<string> {
+  const html = (await highlighter).codeToHtml(code.trimEnd(), { lang, theme: codeTheme })
   return html
     .replace(/<pre [^>]*>/, '<pre tabindex="0">')
     .replace(/<span class="line">(.*?)<\/span>$/gm, '$1')

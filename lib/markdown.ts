@@ -9,7 +9,7 @@ import { heroCode } from './hero-code'
 import { facts, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
 import { readActions, readProps } from './props'
-import { changelog, exampleSource } from './source'
+import { changelog, elevationSource, exampleSource } from './source'
 
 const fence = (lang: string, code: string, title?: string) =>
   `\`\`\`${lang}${title ? ` title="${title}"` : ''}\n${code.trimEnd()}\n\`\`\``
@@ -47,6 +47,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ComponentPreview: ({ name }) => fence('tsx', exampleSource(name), `${name}.tsx`),
   ComponentSource: () => `The whole file: ${siteUrl}/source/gravity-stack.tsx.txt`,
   ElevationLadder: () => '',
+  ElevationSource: () => fence('css', elevationSource()),
   Install: () => '',
   LiveFigure: () => '',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),

@@ -13,5 +13,8 @@ export const componentSource = () => read(componentFile)
 
 export const exampleSource = (name: string) => read('registry', 'examples', `${name}.tsx`)
 
+/** The tokens of the registry's item `elevation`. */
+export const elevationSource = () => read('app', 'elevation.css')
+
 /** CHANGELOG.md below its title. */
 export const changelog = () => read('CHANGELOG.md').replace(/^# .+\n/, '')
