@@ -398,6 +398,23 @@ test('a dark page is printed light, and is dark again afterwards', async ({ page
   await expect(page.locator('html')).toHaveClass(/dark/)
 })
 
+test('chips and the ladder keep their colours on paper', async ({ page }) => {
+  const surfaces = { '/': '[data-slot=gravity-stack-chip] > *', '/docs/elevation': '.dark li' }
+  for (const [path, surface] of Object.entries(surfaces)) {
+    await page.goto(path)
+    await page.emulateMedia({ media: 'print' })
+    await expect(page.locator(surface).first()).toHaveCSS('print-color-adjust', 'exact')
+  }
+})
+
+test('the playground is printed as its code', async ({ page }) => {
+  await page.goto('/playground')
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('[data-slot=playground-stage]')).toBeHidden()
+  await expect(page.getByRole('form', { name: 'Settings' })).toBeHidden()
+  await expect(page.getByText('export function Pile()')).toBeVisible()
+})
+
 test('the package manager and the way to install are remembered on every page', async ({ page }) => {
   await page.goto('/docs/gravity-stack')
   await page.getByRole('tab', { name: 'Manual' }).click()
@@ -471,6 +488,14 @@ test.describe('with a clipboard', () => {
     await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
     // Compared as a whole: a difference would print the file twice.
     expect((await clipboard(page)) === readFileSync('components/ui/gravity-stack.tsx', 'utf8')).toBe(true)
+  })
+
+  test('copies the tokens of the ladder as they are in the repository', async ({ page }) => {
+    await page.goto('/docs/elevation')
+    await page.getByRole('tab', { name: 'Manual' }).click()
+    await page.locator('#install-manual').getByRole('button', { name: 'Copy code' }).click()
+    await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
+    expect(await clipboard(page)).toBe(readFileSync('app/elevation.css', 'utf8').trimEnd())
   })
 
   test('copies the code that belongs to the pressed button', async ({ page }) => {
@@ -580,7 +605,8 @@ test('a demo whose script did not come is tried again when it is seen again', as
 test('the home page performs what its buttons say and shows the code for it', async ({ page }) => {
   await page.goto('/')
   const stage = page.locator('[data-slot=gravity-stack]')
-  const colour = () => page.getByText('grab me').evaluate((chip) => getComputedStyle(chip).backgroundColor)
+  const colour = () =>
+    page.getByText('grab me', { exact: true }).evaluate((chip) => getComputedStyle(chip).backgroundColor)
   await expect(stage).toHaveAttribute('data-state', 'resting')
   const tinted = await colour()
   await page.getByRole('button', { name: 'Neutral' }).click()
@@ -623,6 +649,32 @@ test('on the home page an action is not left pressed, and leaves what was set as
   await expect(stage).toHaveAttribute('data-state', 'running')
   await expect(pressed).toHaveText(['Neutral'])
   await expect(page.getByText('gravity={6000}')).toHaveCount(0)
+})
+
+test('the drop on the home page can be paused, and goes on with whatever is pressed next', async ({
+  page,
+}) => {
+  await page.goto('/')
+  const stage = page.locator('[data-slot=gravity-stack]')
+  const pause = page.getByRole('button', { name: 'Pause' })
+  for (const next of ['Resume', 'Shake', 'Drop again', 'Heavier']) {
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+    await page.getByRole('button', { name: 'Drop again' }).click()
+    await expect(stage).toHaveAttribute('data-state', 'running')
+    await pause.click()
+    await expect(stage).toHaveAttribute('data-state', 'paused')
+    await expect(page.getByText('actions.current?.pause()')).toBeVisible()
+    await page.getByRole('button', { name: next }).click()
+    await expect(stage).toHaveAttribute('data-state', 'running')
+    await expect(pause).toBeVisible()
+  }
+})
+
+test('with reduced motion no preview offers to drop again', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/docs/gravity-stack')
+  await expect(page.getByRole('tab', { name: 'Code' }).first()).toBeVisible()
+  await expect(page.getByRole('button', { name: 'Drop again', includeHidden: true }).first()).toBeHidden()
 })
 
 test('the tints of the home page are those in its code', async ({ page }) => {
