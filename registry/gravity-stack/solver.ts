@@ -609,24 +609,33 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
 export function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
   const { awake, awakeCount } = bodies
+  const { pair, wall } = contacts
   touch[WIDEST] = MARGIN
-  let stuck = false
-  for (let n = 0; n < awakeCount; n++) {
-    // A chip that reaches from wall to wall and beyond has no place to go.
-    halfExtents(bodies, awake[n], 0, 0)
-    if (2 * extents[X] > walls.width + 2) stuck = true
-  }
   let rounds = 0
-  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
-    for (let i = 0; i < count; i++) measure(bodies, contacts, walls, list[i])
+  let most = count
+  for (let visits = STRAIGHTENING; visits > 0; visits -= most) {
     // Walls that have moved are seen all the same.
-    if (stuck) break
+    for (let i = 0; i < most; i++) measure(bodies, contacts, walls, list[i])
+    if (rounds === 0) {
+      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it.
+      most = 0
+      for (let i = 0; i < count; i++) {
+        const c = list[i]
+        if (wall[c] === 3) {
+          halfExtents(bodies, pair[2 * c + 1], 0, 0)
+          if (2 * extents[X] > walls.width + 2) continue
+        }
+        list[most++] = c
+      }
+      // It may find no room at all, and would take as long in every step.
+      if (most < count) visits /= 8
+    }
     let passes = 0
-    const most = Math.min(PARTINGS, visits / count)
-    while (passes < most && separate(scene, list, 0, count) > 0) passes++
+    const enough = Math.min(PARTINGS, visits / most)
+    while (passes < enough && separate(scene, list, 0, most) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
-    visits -= passes * count
+    visits -= passes * most
     rounds++
   }
   return rounds > 0

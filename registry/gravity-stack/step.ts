@@ -380,6 +380,8 @@ export function makeRoom(simulation: Simulation): void {
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
+    // What has grown into a sleeper, or was pushed into one, wakes it.
+    if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
     // New pairs may have needed new arrays.
     const { pair } = contacts
     const list: Int32Array = new Int32Array(contacts.count)

@@ -171,6 +171,49 @@ describe('a pile that has less room', () => {
     expect(median(left)).toBeLessThan(0.05)
   })
 
+  it('lies inside and apart around a card that leans and reaches from wall to wall, while time stands still too', () => {
+    const narrow = { width: 300, height: 500 }
+    for (const paused of [true, false]) {
+      const left = seeds.map((seed) => {
+        const card = { width: 300, height: 150, radius: 8, x: 220 + 20 * seed, y: -250, angle: 0.2 }
+        const chips = [...pourChips('pills', 30, seed), card]
+        const { world, ids } = worldOf(chips)
+        settle(world)
+        world.resize(narrow.width, narrow.height)
+        if (paused) world.makeRoom()
+        else run(world, 0.5)
+        expect(outside(world, ids, chips, narrow), `seed ${seed}`).toBeLessThan(2)
+        return overlap(world, ids, chips, narrow)
+      })
+      expect(median(left)).toBeLessThan(0.05)
+      expect(Math.max(...left)).toBeLessThan(2)
+    }
+  })
+
+  it('makes room for a chip that grows into a sleeper which it did not touch, while time stands still too', () => {
+    const pill = { width: 80, height: 30, radius: 15, x: 200, y: 325, angle: 0 }
+    for (const [gap, growth] of [
+      [3, 20],
+      [10, 60],
+    ] as const) {
+      for (const paused of [true, false]) {
+        const chips = [pill, { ...pill, x: 280 + gap }]
+        const { world, ids } = worldOf(chips)
+        settle(world)
+        const grown = { ...pill, width: 80 + growth }
+        world.reshape(ids[0]!, grown)
+        if (paused) world.makeRoom()
+        else world.step(frame)
+        const mode = `${growth} px over a gap of ${gap}, ${paused ? 'paused' : 'running'}`
+        expect(overlap(world, ids, [grown, chips[1]!]), mode).toBeLessThan(0.05)
+        expect(fastest(world, ids), mode).toBeLessThan(50)
+        // Who was woken is drawn where it is by now.
+        const { pose } = world
+        if (paused) world.eachMoved((id) => expect(pose[0]).toBeCloseTo(world.read(id).x, 6))
+      }
+    }
+  })
+
   it('wakes nobody far from a chip that grows', () => {
     const row = [60, 300, 540].map((x) => ({ width: 60, height: 28, radius: 14, x, y: 326, angle: 0 }))
     const { world, ids } = worldOf(row)
