@@ -94,6 +94,13 @@ for (const [what, corners, radius] of [
   })
 }
 
+test('a chip whose face stands in a box without a box of its own is as round as that', async ({ stage }) => {
+  await stage.settled('inputs', { children: 'contents' })
+  const { shapes } = await stage.pile()
+  const radii = await stage.chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).borderRadius))
+  expect(radii).toEqual(shapes.map(({ height }) => `${height / 2}px`))
+})
+
 test('chips collide as what they look like: pills, boxes, rounded boxes, discs', async ({ stage }) => {
   for (const shape of ['pill', 'box', 'rounded', 'disc', 'tall']) {
     await stage.settled('pile', { shape, chips: 20 })

@@ -78,6 +78,22 @@ test('shake() throws the pile into the air, and it settles again inside', async 
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
+test('without gravity what shake() has sent out of the stage comes back into it', async ({ stage, page }) => {
+  await stage.open('pile', { chips: 4, gravity: 0, stagger: 0, shaker: true })
+  /** Whether each chip is in view, in part at least. */
+  const inside = () =>
+    stage.root.evaluate((root) =>
+      [...root.children].map(
+        (chip) => chip.getBoundingClientRect().bottom > root.getBoundingClientRect().top,
+      ),
+    )
+  await expect.poll(inside).toEqual([true, true, true, true])
+  await page.getByRole('button', { name: 'Shake' }).click()
+  await expect.poll(inside).toContain(false)
+  await stage.reaches('resting')
+  expect(await inside()).toEqual([true, true, true, true])
+})
+
 test('pause() freezes the chips in the air, resume() lets them go on', async ({ stage, page }) => {
   await stage.open('extras')
   await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')

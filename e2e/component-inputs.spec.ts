@@ -92,6 +92,7 @@ const children: Record<string, { chips: number; falling: number; warns?: string 
   absolute: { chips: 3, falling: 2, warns: 'no size' },
   image: { chips: 3, falling: 2, warns: 'no size' },
   inline: { chips: 3, falling: 3 },
+  contents: { chips: 3, falling: 3 },
   margin: { chips: 3, falling: 3 },
   wide: { chips: 3, falling: 3, warns: 'as wide as its stage' },
   high: { chips: 3, falling: 3, warns: 'larger than it' },

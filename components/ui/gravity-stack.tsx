@@ -2494,24 +2494,33 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
 function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
   const { awake, awakeCount } = bodies
+  const { pair, wall } = contacts
   touch[WIDEST] = MARGIN
-  let stuck = false
-  for (let n = 0; n < awakeCount; n++) {
-    // A chip that reaches from wall to wall and beyond has no place to go.
-    halfExtents(bodies, awake[n], 0, 0)
-    if (2 * extents[X] > walls.width + 2) stuck = true
-  }
   let rounds = 0
-  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
-    for (let i = 0; i < count; i++) measure(bodies, contacts, walls, list[i])
+  let most = count
+  for (let visits = STRAIGHTENING; visits > 0; visits -= most) {
     // Walls that have moved are seen all the same.
-    if (stuck) break
+    for (let i = 0; i < most; i++) measure(bodies, contacts, walls, list[i])
+    if (rounds === 0) {
+      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it.
+      most = 0
+      for (let i = 0; i < count; i++) {
+        const c = list[i]
+        if (wall[c] === 3) {
+          halfExtents(bodies, pair[2 * c + 1], 0, 0)
+          if (2 * extents[X] > walls.width + 2) continue
+        }
+        list[most++] = c
+      }
+      // It may find no room at all, and would take as long in every step.
+      if (most < count) visits /= 8
+    }
     let passes = 0
-    const most = Math.min(PARTINGS, visits / count)
-    while (passes < most && separate(scene, list, 0, count) > 0) passes++
+    const enough = Math.min(PARTINGS, visits / most)
+    while (passes < enough && separate(scene, list, 0, most) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
-    visits -= passes * count
+    visits -= passes * most
     rounds++
   }
   return rounds > 0
@@ -3092,6 +3101,8 @@ function makeRoom(simulation: Simulation): void {
   simulation.cramped--
   for (let rounds = ROOM_ROUNDS; rounds > 0; rounds--) {
     updatePairs(simulation, pairs)
+    // What has grown into a sleeper, or was pushed into one, wakes it.
+    if (bodies.awakeCount < pairs.sorted) wakeStruck(simulation)
     // New pairs may have needed new arrays.
     const { pair } = contacts
     const list: Int32Array = new Int32Array(contacts.count)
@@ -3311,16 +3322,17 @@ function createWorld(options: WorldOptions) {
 
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
-      const { state, before } = bodies
-      const shift = (sign: number) => {
-        for (let n = 0; n < bodies.awakeCount; n++)
+      const { state, before, awake, awakeCount } = bodies
+      const shift = (sign: number, from: number, to: number) => {
+        for (let n = from; n < to; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[bodies.awake[n]! * 3 + axis] += sign * state[bodies.awake[n]! * STATE + axis]!
+            before[awake[n]! * 3 + axis] += sign * state[awake[n]! * STATE + axis]!
       }
-      // What is drawn lies between two poses: both move by as much.
-      shift(-1)
+      // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
+      shift(-1, 0, awakeCount)
       for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
-      shift(1)
+      for (let n = awakeCount; n < bodies.awakeCount; n++) before.fill(0, awake[n]! * 3, awake[n]! * 3 + 3)
+      shift(1, 0, bodies.awakeCount)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
@@ -3572,11 +3584,12 @@ const VISIBLE = 0.11
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-/** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
+/** px, height of the hop of a tapped chip. */
 const HOP = 36
-const HOP_GRAVITY = 100
-/** px/s, what a shake gives upwards at most (and 0.3 of it sideways), and rad/s of spin for each px/s. */
-const SHAKE = 1100
+/** px, how high a shake throws at most. */
+const SHAKE = 230
+/** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
+const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
@@ -3766,6 +3779,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
   let followed: Chip | undefined
+  /** Whether what had left by the top was released anew since the stage was last at rest: in a full one it would be for ever. */
+  let fetched = false
   let front = 0
   let kicks = 0
   let swallowClick = false
@@ -3828,15 +3843,14 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
       if (moves) sizes.observe(element)
     }
-    const waiting = queue.length
+    let waited = false
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
       sizes.unobserve(element)
-      withdraw(chip)
+      waited = withdraw(chip) || waited
       chips.delete(element)
     }
-    // Those that still wait move up.
-    if (queue.length < waiting) requeue()
+    if (waited) requeue()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -3859,7 +3873,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
         )
       chip.width = 0
-      return withdraw(chip)
+      if (withdraw(chip)) requeue()
+      return
     }
     const known = chip.width === chipWidth && chip.height === chipHeight
     if (!chip.width) enqueue(chip)
@@ -3880,9 +3895,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function look(chip: Chip) {
     // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
     let face: CSSStyleDeclaration | undefined
-    for (const child of Array.from(chip.element.children)) {
+    const children = Array.from(chip.element.children)
+    for (let n = 0; n < children.length; n++) {
+      const child = children[n]!
       const style = getComputedStyle(child)
-      if (style.display === 'none' || /absolute|fixed/.test(style.position)) continue
+      // It has no box of its own: what is in it is drawn in its place.
+      if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
+      if (/^(none|contents)$/.test(style.display) || /absolute|fixed/.test(style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
       face = style
@@ -3950,13 +3969,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     waiting.forEach(schedule)
   }
 
+  /** Whether it waited for its release, so that those behind it are to move up. */
   function withdraw(chip: Chip) {
+    const waiting = queue.length
     queue = queue.filter((other) => other !== chip)
     for (const press of presses.values()) if (press.chip === chip) letGo(press)
     world?.remove(chip.id)
     delete bodies[chip.id]
     chip.id = -1
     mark(chip, 'waiting')
+    return queue.length < waiting
   }
 
   function release(chip: Chip) {
@@ -4006,7 +4028,17 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    if (world!.resting) sync()
+    if (!world!.resting) return
+    if (!options.gravity && !fetched) {
+      fetched = true
+      // What has left by the top would float there for good: it is released anew.
+      for (const chip of chips.values())
+        if (chip.id >= 0 && chip.y < -chip.reach) {
+          withdraw(chip)
+          enqueue(chip)
+        }
+    }
+    sync()
   }
 
   function paint(id: number, asleep: boolean) {
@@ -4091,6 +4123,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
             'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
           )
     state = next
+    fetched = false
     root.setAttribute('data-state', next)
     // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
     root.toggleAttribute('data-halted', next === 'paused' || next === 'static')
@@ -4347,12 +4380,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     swallow(event)
     const chip = touched(event)
     if (event.defaultPrevented || !chip || within(chip, event, CONTROL)) return
-    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
+    kick(chip, HOP)
     sync()
   }
 
-  /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
-  function kick(chip: Chip, speed: number) {
+  /** Sends a chip about `height` px up, a little aside and spinning. */
+  function kick(chip: Chip, height: number) {
+    const speed = Math.sqrt(2 * height * Math.max(options.gravity, KICK_GRAVITY))
     const either = (channel: number) => 2 * scatter(kicks, channel) - 1
     kicks++
     world!.place(chip.id, {

@@ -29,11 +29,12 @@ const VISIBLE = 0.11
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-/** px, height of the hop of a tapped chip, and px/s² of the least gravity that it is made for. */
+/** px, height of the hop of a tapped chip. */
 const HOP = 36
-const HOP_GRAVITY = 100
-/** px/s, what a shake gives upwards at most (and 0.3 of it sideways), and rad/s of spin for each px/s. */
-const SHAKE = 1100
+/** px, how high a shake throws at most. */
+const SHAKE = 230
+/** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
+const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
@@ -223,6 +224,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
   let followed: Chip | undefined
+  /** Whether what had left by the top was released anew since the stage was last at rest: in a full one it would be for ever. */
+  let fetched = false
   let front = 0
   let kicks = 0
   let swallowClick = false
@@ -285,15 +288,14 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
       if (moves) sizes.observe(element)
     }
-    const waiting = queue.length
+    let waited = false
     for (const [element, chip] of chips) {
       if (element.parentNode === root) continue
       sizes.unobserve(element)
-      withdraw(chip)
+      waited = withdraw(chip) || waited
       chips.delete(element)
     }
-    // Those that still wait move up.
-    if (queue.length < waiting) requeue()
+    if (waited) requeue()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -316,7 +318,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
         )
       chip.width = 0
-      return withdraw(chip)
+      if (withdraw(chip)) requeue()
+      return
     }
     const known = chip.width === chipWidth && chip.height === chipHeight
     if (!chip.width) enqueue(chip)
@@ -337,9 +340,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function look(chip: Chip) {
     // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
     let face: CSSStyleDeclaration | undefined
-    for (const child of Array.from(chip.element.children)) {
+    const children = Array.from(chip.element.children)
+    for (let n = 0; n < children.length; n++) {
+      const child = children[n]!
       const style = getComputedStyle(child)
-      if (style.display === 'none' || /absolute|fixed/.test(style.position)) continue
+      // It has no box of its own: what is in it is drawn in its place.
+      if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
+      if (/^(none|contents)$/.test(style.display) || /absolute|fixed/.test(style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
       face = style
@@ -407,13 +414,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     waiting.forEach(schedule)
   }
 
+  /** Whether it waited for its release, so that those behind it are to move up. */
   function withdraw(chip: Chip) {
+    const waiting = queue.length
     queue = queue.filter((other) => other !== chip)
     for (const press of presses.values()) if (press.chip === chip) letGo(press)
     world?.remove(chip.id)
     delete bodies[chip.id]
     chip.id = -1
     mark(chip, 'waiting')
+    return queue.length < waiting
   }
 
   function release(chip: Chip) {
@@ -463,7 +473,17 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
-    if (world!.resting) sync()
+    if (!world!.resting) return
+    if (!options.gravity && !fetched) {
+      fetched = true
+      // What has left by the top would float there for good: it is released anew.
+      for (const chip of chips.values())
+        if (chip.id >= 0 && chip.y < -chip.reach) {
+          withdraw(chip)
+          enqueue(chip)
+        }
+    }
+    sync()
   }
 
   function paint(id: number, asleep: boolean) {
@@ -548,6 +568,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
             'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
           )
     state = next
+    fetched = false
     root.setAttribute('data-state', next)
     // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
     root.toggleAttribute('data-halted', next === 'paused' || next === 'static')
@@ -804,12 +825,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     swallow(event)
     const chip = touched(event)
     if (event.defaultPrevented || !chip || within(chip, event, CONTROL)) return
-    kick(chip, Math.sqrt(2 * HOP * Math.max(options.gravity, HOP_GRAVITY)))
+    kick(chip, HOP)
     sync()
   }
 
-  /** Sends a chip up with about `speed` px/s, a little aside and spinning. */
-  function kick(chip: Chip, speed: number) {
+  /** Sends a chip about `height` px up, a little aside and spinning. */
+  function kick(chip: Chip, height: number) {
+    const speed = Math.sqrt(2 * height * Math.max(options.gravity, KICK_GRAVITY))
     const either = (channel: number) => 2 * scatter(kicks, channel) - 1
     kicks++
     world!.place(chip.id, {
