@@ -91,9 +91,10 @@ test('focus on a chip of a stage taller than the window is in view when the chip
   await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
 })
 
-for (const [pressed, interactive] of [
-  ['a press on a control that falls', true],
-  ['a press on a control that falls and cannot be grabbed', false],
+for (const [pressed, selector, interactive] of [
+  ['a press on a control that falls', '[data-name=button]', true],
+  ['a press on a control that falls and cannot be grabbed', '[data-name=button]', false],
+  ['a press on a field that falls', 'input', true],
 ] as const) {
   test(`${pressed} gives it the focus and does not scroll the page`, async ({ stage, page }) => {
     await page.setViewportSize({ width: 800, height: 600 })
@@ -101,20 +102,20 @@ for (const [pressed, interactive] of [
     await page.clock.install({ time: 0 })
     await page.clock.pauseAt(1000)
     await stage.open('controls', { above: 400, stagger: 0, interactive })
-    const button = page.getByText('a button')
+    const control = page.locator(selector)
     await expect
       .poll(
         async () => {
           await page.clock.runFor(20)
-          return (await stage.centre(button)).y
+          return (await stage.centre(control)).y
         },
         { intervals: [0] },
       )
       .toBeGreaterThan(440)
-    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
-    const { x, y } = await stage.centre(button)
+    await expect(stage.chips.filter({ has: control })).toHaveAttribute('data-state', 'falling')
+    const { x, y } = await stage.centre(control)
     await page.mouse.click(x, y)
-    await expect(button).toBeFocused()
+    await expect(control).toBeFocused()
     await page.clock.resume()
     await stage.reaches('resting')
     expect(await page.evaluate(() => scrollY)).toBe(0)

@@ -57,6 +57,70 @@ test('what waits above a paused stage comes into view when it gets the focus', a
   await stage.reaches('paused')
 })
 
+test('what hangs above a stage paused in mid-fall comes into view when the keyboard goes there', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'links' })
+  // In the page itself: it falls into view in less time than an answer may take.
+  await stage.root.evaluate(async (root) => {
+    while (!root.querySelector('[data-state=falling]')) await window.probe.pass(1)
+    document.querySelector<HTMLElement>('#pause')?.click()
+  })
+  await stage.reaches('paused')
+  const link = page.getByText('here', { exact: true })
+  await expect(link).not.toBeInViewport()
+  await page.keyboard.press('Tab')
+  await expect(link).toBeFocused()
+  await expect(link).toBeInViewport({ ratio: 1 })
+  await stage.reaches('paused')
+})
+
+test('a field that comes to a paused stage and takes the focus at once is in view', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'field' })
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  await page.locator('#next').click()
+  const field = page.getByLabel('new')
+  await expect(field).toBeFocused()
+  await expect(field).toBeInViewport({ ratio: 1 })
+  await stage.reaches('paused')
+})
+
+test('a chip stays in the hand when a render brings another object for `interactive`', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'truthy' })
+  await stage.drag(stage.chips.first(), 20, -60)
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.locator('#next').evaluate((button: HTMLElement) => button.click())
+  await page.evaluate(() => window.probe.pass(3))
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+})
+
+test('a chip that is shown on the whole screen keeps its place in the pile', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'screen' })
+  const { poses } = await stage.pile()
+  await page.getByRole('button', { name: 'whole screen' }).click()
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement?.textContent)).toBe('whole screen')
+  // The press has woken it.
+  await stage.reaches('resting')
+  await stage.probe((probe) => probe.states.splice(0))
+  await page.evaluate(() => document.exitFullscreen())
+  await expect.poll(() => page.evaluate(() => document.fullscreenElement)).toBe(null)
+  await page.evaluate(() => window.probe.pass(3))
+  for (const [i, pose] of (await stage.pile()).poses.entries()) {
+    expect(Math.hypot(pose.x - poses[i].x, pose.y - poses[i].y)).toBeLessThan(0.5)
+  }
+  expect(await stage.probe((probe) => probe.states)).toEqual([])
+})
+
 test('a text that comes in front of others is a chip of its own, and theirs stay theirs', async ({
   stage,
   page,

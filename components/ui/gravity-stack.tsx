@@ -3779,7 +3779,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
   let followed: Chip | undefined
-  /** Whether what had left by the top was released anew since the stage was last at rest: in a full one it would be for ever. */
+  /** Whether what had left by the top was released anew since somebody last did something: in a full stage it would be for ever. */
   let fetched = false
   let front = 0
   let kicks = 0
@@ -3816,6 +3816,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       // No time passes, but nothing may stay behind a wall or in another chip.
       world!.makeRoom()
       world!.eachMoved(paint)
+      // It had the focus before it had a size.
+      const chip = chipAt((root.getRootNode() as Document).activeElement)
+      if (chip && chip.id < 0) bringIn(chip)
     }
   })
 
@@ -3866,8 +3869,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   function shape(chip: Chip, chipWidth: number, chipHeight: number) {
     if (!(chipWidth * chipHeight)) {
-      // Hidden with its stage, it keeps its place in the pile.
-      if (!(width * height)) return
+      // Hidden with its stage, or while what it shows has the whole screen, it keeps its place in the pile.
+      if (!(width * height) || chip.element.querySelector(':fullscreen')) return
       if (process.env.NODE_ENV !== 'production')
         warn(
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
@@ -4215,27 +4218,33 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!chip) return
     toFront(chip)
     if (still.matches) return
-    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a press.
-    if (
-      chip.state === 'waiting' ||
-      (chip.state === 'falling' && (target as Element).matches(':focus-visible'))
-    ) {
+    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a
+    // press, though a field shows its focus then as well.
+    const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
+    if (unseen && /waiting|falling/.test(chip.state)) {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
     }
-    if (chip.id >= 0) return
-    started = true
-    catchUp()
-    chip.due = clock
-    queue.sort((a, b) => a.due - b.due)
-    disarm()
-    if (world && pausing.current && queue[0] === chip) {
-      // No time passes, so it is put where it can be seen.
-      release(queue.shift()!)
-      world.place(chip.id, { y: chip.reach })
-      world.eachMoved(paint)
+    if (chip.id < 0) {
+      started = true
+      catchUp()
+      chip.due = clock
+      queue.sort((a, b) => a.due - b.due)
+      disarm()
     }
+    if (unseen) bringIn(chip)
     sync()
+  }
+
+  /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
+  function bringIn(chip: Chip) {
+    if (!world || !pausing.current) return
+    if (queue.includes(chip)) {
+      queue = queue.filter((other) => other !== chip)
+      release(chip)
+    } else if (chip.id < 0 || chip.state === 'resting' || chip.y > 0) return
+    world.place(chip.id, { y: chip.reach })
+    world.eachMoved(paint)
   }
 
   // Pointers
@@ -4303,6 +4312,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const x = poses[chip.id * STATE + X]!
     const y = poses[chip.id * STATE + Y]!
     clearTimeout(press.timer)
+    fetched = false
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     mark(chip, 'held')
@@ -4389,6 +4399,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const speed = Math.sqrt(2 * height * Math.max(options.gravity, KICK_GRAVITY))
     const either = (channel: number) => 2 * scatter(kicks, channel) - 1
     kicks++
+    fetched = false
     world!.place(chip.id, {
       vx: 0.3 * speed * either(1),
       vy: speed * (0.1 * either(2) - 0.9),
@@ -4445,7 +4456,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         options[name] = sane(name, next[name])
         if (options[name] !== before?.[name] && name !== 'stagger') changed = true
       }
-      if (listening && options.interactive !== before.interactive) listen()
+      if (listening && !options.interactive !== !before.interactive) listen()
       const paced = options.stagger !== before?.stagger
       if (!world || !(changed || paced)) return
       if (changed) world.configure(options)
