@@ -49,7 +49,7 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ElevationLadder: () => '',
   ElevationSource: () => fence('css', elevationSource()),
   Install: () => '',
-  LiveFigure: () => '',
+  LiveFigure: () => '_On the page itself a figure runs here._',
   InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
   FuzzTable: () =>
     table(

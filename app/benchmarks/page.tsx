@@ -176,8 +176,7 @@ export default function Benchmarks() {
             Gravity Stack takes six sub-steps where things meet, and fewer where they stand still; here the
             six are another number. An order of 2 means that twice the sub-steps leave a quarter of the error.
             Not listed is what they don’t lessen: flight, bounces and impacts are exact to rounding at any
-            number, overlap at rest is what a contact leaves alone, the contact residual stays at some 10⁻⁵
-            from four on, and a thousand pills, played from one seed, show no order.
+            number, overlap at rest is what a contact leaves alone, and the contact residual follows no order.
           </p>
           <div className="mt-6">
             <Table {...orderTable} />

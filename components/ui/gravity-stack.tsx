@@ -126,8 +126,8 @@ const ROCKING = 1 / GRAVITY
 const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 const LOOSE = 2
-/** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
-const STANDING = 0.005
+/** px/s, over `AHEAD` sub-steps: 0.005 px with six. A chip that moved less since its contacts were last looked at leaves them as they are. */
+const STANDING = 1.44
 /**
  * px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall up to which the two are a pair: a
  * chip that is knocked into a spin meets the wall within the step.
@@ -450,6 +450,7 @@ function capSpeed(state: Float64Array, s: number, most: number): void {
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies
+  const standing = STANDING * ahead
   for (let n = from; n < to; n++) {
     const i = list[n] & INDEX
     const s = i * STATE
@@ -463,7 +464,7 @@ function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead
       Math.abs(y - motion[m + SEEN_Y]) +
       core * Math.abs(angle - motion[m + SEEN_ANGLE])
     moved[i] = 0
-    if (way > STANDING) {
+    if (way > standing) {
       moved[i] = 1
       motion[m + TRAVEL] += way
       motion[m + SEEN_X] = x
@@ -4500,7 +4501,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 export interface GravityStackActions {
   /** Drops all chips again, even when paused; does nothing before the stage has first come into view. */
   drop: () => void
-  /** Throws the pile into the air. */
+  /** Throws the chips up to 230 px into the air; when paused, once it goes on. */
   shake: () => void
   /** Freezes the chips where they are. */
   pause: () => void

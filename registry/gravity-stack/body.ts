@@ -264,6 +264,7 @@ export function capSpeed(state: Float64Array, s: number, most: number): void {
 /** Notes how far the bodies `list[from..to)` have come, and how far they may be `ahead` seconds on: contacts go by it. */
 export function tally(bodies: Bodies, list: Int32Array, from: number, to: number, ahead: number): void {
   const { state, motion, shape, moved } = bodies
+  const standing = STANDING * ahead
   for (let n = from; n < to; n++) {
     const i = list[n] & INDEX
     const s = i * STATE
@@ -277,7 +278,7 @@ export function tally(bodies: Bodies, list: Int32Array, from: number, to: number
       Math.abs(y - motion[m + SEEN_Y]) +
       core * Math.abs(angle - motion[m + SEEN_ANGLE])
     moved[i] = 0
-    if (way > STANDING) {
+    if (way > standing) {
       moved[i] = 1
       motion[m + TRAVEL] += way
       motion[m + SEEN_X] = x

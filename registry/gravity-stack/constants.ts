@@ -108,8 +108,8 @@ export const ROCKING = 1 / GRAVITY
 export const WALL_REFRESH = 0.001
 /** px of relative motion since the last measurement up to which a pair's gap is taken from its bound. */
 export const LOOSE = 2
-/** px; a chip that moved less since its contacts were last looked at leaves them as they are. */
-export const STANDING = 0.005
+/** px/s, over `AHEAD` sub-steps: 0.005 px with six. A chip that moved less since its contacts were last looked at leaves them as they are. */
+export const STANDING = 1.44
 /**
  * px, and share of the way of a step, by which a broad-phase box is larger than its chip, and px from a box to a wall up to which the two are a pair: a
  * chip that is knocked into a spin meets the wall within the step.
