@@ -3324,16 +3324,17 @@ function createWorld(options: WorldOptions) {
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
       const { state, before, awake, awakeCount } = bodies
-      const shift = (sign: number, from: number, to: number) => {
+      const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[awake[n]! * 3 + axis] += sign * state[awake[n]! * STATE + axis]!
+            before[awake[n]! * 3 + axis] =
+              keep * before[awake[n]! * 3 + axis]! + sign * state[awake[n]! * STATE + axis]!
       }
       // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
-      shift(-1, 0, awakeCount)
+      shift(1, -1, 0, awakeCount)
       for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
-      for (let n = awakeCount; n < bodies.awakeCount; n++) before.fill(0, awake[n]! * 3, awake[n]! * 3 + 3)
-      shift(1, 0, bodies.awakeCount)
+      shift(1, 1, 0, awakeCount)
+      shift(0, 1, awakeCount, bodies.awakeCount)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
@@ -3819,7 +3820,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       world!.eachMoved(paint)
       // It had the focus before it had a size.
       const chip = chipAt((root.getRootNode() as Document).activeElement)
-      if (chip && chip.id < 0) bringIn(chip)
+      if (chip) bringIn(chip)
     }
   })
 
@@ -3905,7 +3906,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       const style = getComputedStyle(child)
       // It has no box of its own: what is in it is drawn in its place.
       if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
-      if (/^(none|contents)$/.test(style.display) || /absolute|fixed/.test(style.position)) continue
+      if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
       face = style
@@ -4222,7 +4223,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a
     // press, though a field shows its focus then as well.
     const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
-    if (unseen && /waiting|falling/.test(chip.state)) {
+    if (unseen && chip.state !== 'resting') {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
     }

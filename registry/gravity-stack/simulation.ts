@@ -174,16 +174,17 @@ export function createWorld(options: WorldOptions) {
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
       const { state, before, awake, awakeCount } = bodies
-      const shift = (sign: number, from: number, to: number) => {
+      const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[awake[n]! * 3 + axis] += sign * state[awake[n]! * STATE + axis]!
+            before[awake[n]! * 3 + axis] =
+              keep * before[awake[n]! * 3 + axis]! + sign * state[awake[n]! * STATE + axis]!
       }
       // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
-      shift(-1, 0, awakeCount)
+      shift(1, -1, 0, awakeCount)
       for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
-      for (let n = awakeCount; n < bodies.awakeCount; n++) before.fill(0, awake[n]! * 3, awake[n]! * 3 + 3)
-      shift(1, 0, bodies.awakeCount)
+      shift(1, 1, 0, awakeCount)
+      shift(0, 1, awakeCount, bodies.awakeCount)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */

@@ -263,7 +263,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       world!.eachMoved(paint)
       // It had the focus before it had a size.
       const chip = chipAt((root.getRootNode() as Document).activeElement)
-      if (chip && chip.id < 0) bringIn(chip)
+      if (chip) bringIn(chip)
     }
   })
 
@@ -349,7 +349,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       const style = getComputedStyle(child)
       // It has no box of its own: what is in it is drawn in its place.
       if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
-      if (/^(none|contents)$/.test(style.display) || /absolute|fixed/.test(style.position)) continue
+      if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
       face = style
@@ -666,7 +666,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a
     // press, though a field shows its focus then as well.
     const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
-    if (unseen && /waiting|falling/.test(chip.state)) {
+    if (unseen && chip.state !== 'resting') {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
     }
