@@ -2495,33 +2495,27 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
 function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
   const { awake, awakeCount } = bodies
-  const { pair, wall } = contacts
   touch[WIDEST] = MARGIN
   let rounds = 0
-  let most = count
-  for (let visits = STRAIGHTENING; visits > 0; visits -= most) {
-    // Walls that have moved are seen all the same.
-    for (let i = 0; i < most; i++) measure(bodies, contacts, walls, list[i])
-    if (rounds === 0) {
-      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it.
-      most = 0
-      for (let i = 0; i < count; i++) {
-        const c = list[i]
-        if (wall[c] === 3) {
-          halfExtents(bodies, pair[2 * c + 1], 0, 0)
-          if (2 * extents[X] > walls.width + 2) continue
-        }
-        list[most++] = c
-      }
-      // It may find no room at all, and would take as long in every step.
-      if (most < count) visits /= 8
+  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
+    for (let i = 0; i < count; i++) {
+      const c = list[i]
+      // Walls that have moved are seen all the same.
+      measure(bodies, contacts, walls, c)
+      if (contacts.wall[c] < 3) continue
+      halfExtents(bodies, contacts.pair[2 * c + 1], 0, 0)
+      if (2 * extents[X] <= walls.width + 2) continue
+      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find no
+      // room at all, and would take as long in every step.
+      contacts.data[c * CONTACT + POINTS] = 0
+      visits /= 8
     }
     let passes = 0
-    const enough = Math.min(PARTINGS, visits / most)
-    while (passes < enough && separate(scene, list, 0, most) > 0) passes++
+    const most = Math.min(PARTINGS, visits / count)
+    while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
-    visits -= passes * most
+    visits -= passes * count
     rounds++
   }
   return rounds > 0
@@ -3900,12 +3894,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function look(chip: Chip) {
     // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
     let face: CSSStyleDeclaration | undefined
-    const children = Array.from(chip.element.children)
-    for (let n = 0; n < children.length; n++) {
-      const child = children[n]!
+    let next: Element | null
+    for (let child = chip.element.firstElementChild; child; child = next) {
       const style = getComputedStyle(child)
-      // It has no box of its own: what is in it is drawn in its place.
-      if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
+      // One without a box of its own is drawn as what is in it.
+      next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
       if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
@@ -4241,10 +4234,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
   function bringIn(chip: Chip) {
     if (!world || !pausing.current) return
-    if (queue.includes(chip)) {
-      queue = queue.filter((other) => other !== chip)
+    if (chip.id < 0) {
+      if (!withdraw(chip)) return
       release(chip)
-    } else if (chip.id < 0 || chip.state === 'resting' || chip.y > 0) return
+    } else if (chip.state === 'resting' || chip.y > 0) return
     world.place(chip.id, { y: chip.reach })
     world.eachMoved(paint)
   }

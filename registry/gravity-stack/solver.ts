@@ -609,33 +609,27 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
 export function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
   const { awake, awakeCount } = bodies
-  const { pair, wall } = contacts
   touch[WIDEST] = MARGIN
   let rounds = 0
-  let most = count
-  for (let visits = STRAIGHTENING; visits > 0; visits -= most) {
-    // Walls that have moved are seen all the same.
-    for (let i = 0; i < most; i++) measure(bodies, contacts, walls, list[i])
-    if (rounds === 0) {
-      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it.
-      most = 0
-      for (let i = 0; i < count; i++) {
-        const c = list[i]
-        if (wall[c] === 3) {
-          halfExtents(bodies, pair[2 * c + 1], 0, 0)
-          if (2 * extents[X] > walls.width + 2) continue
-        }
-        list[most++] = c
-      }
-      // It may find no room at all, and would take as long in every step.
-      if (most < count) visits /= 8
+  for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
+    for (let i = 0; i < count; i++) {
+      const c = list[i]
+      // Walls that have moved are seen all the same.
+      measure(bodies, contacts, walls, c)
+      if (contacts.wall[c] < 3) continue
+      halfExtents(bodies, contacts.pair[2 * c + 1], 0, 0)
+      if (2 * extents[X] <= walls.width + 2) continue
+      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find no
+      // room at all, and would take as long in every step.
+      contacts.data[c * CONTACT + POINTS] = 0
+      visits /= 8
     }
     let passes = 0
-    const enough = Math.min(PARTINGS, visits / most)
-    while (passes < enough && separate(scene, list, 0, most) > 0) passes++
+    const most = Math.min(PARTINGS, visits / count)
+    while (passes < most && separate(scene, list, 0, count) > 0) passes++
     if (passes === 0) break
     for (let n = 0; n < awakeCount; n++) keepInside(scene, awake[n])
-    visits -= passes * most
+    visits -= passes * count
     rounds++
   }
   return rounds > 0

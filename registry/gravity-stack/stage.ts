@@ -343,12 +343,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function look(chip: Chip) {
     // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
     let face: CSSStyleDeclaration | undefined
-    const children = Array.from(chip.element.children)
-    for (let n = 0; n < children.length; n++) {
-      const child = children[n]!
+    let next: Element | null
+    for (let child = chip.element.firstElementChild; child; child = next) {
       const style = getComputedStyle(child)
-      // It has no box of its own: what is in it is drawn in its place.
-      if (style.display === 'contents') children.splice(n + 1, 0, ...Array.from(child.children))
+      // One without a box of its own is drawn as what is in it.
+      next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
       if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
       // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
       changes.observe(child, { attributeFilter: ['class', 'style'] })
@@ -684,10 +683,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
   function bringIn(chip: Chip) {
     if (!world || !pausing.current) return
-    if (queue.includes(chip)) {
-      queue = queue.filter((other) => other !== chip)
+    if (chip.id < 0) {
+      if (!withdraw(chip)) return
       release(chip)
-    } else if (chip.id < 0 || chip.state === 'resting' || chip.y > 0) return
+    } else if (chip.state === 'resting' || chip.y > 0) return
     world.place(chip.id, { y: chip.reach })
     world.eachMoved(paint)
   }
