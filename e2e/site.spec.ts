@@ -715,8 +715,7 @@ test('the component page brings at most 165 kB of script', async ({ page }) => {
   )
   const bodies = await Promise.all(scripts.map((response) => response.body()))
   const bytes = bodies.reduce((sum, body) => sum + gzipSync(body).length, 0)
-  // To the kilobyte, as it is told.
-  expect(Math.round(bytes / 1000)).toBeLessThanOrEqual(165)
+  expect(bytes / 1000).toBeLessThanOrEqual(165)
 })
 
 test('on a narrow screen the menu opens, closes with Escape, and closes when it has led somewhere', async ({

@@ -3813,8 +3813,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       world!.makeRoom()
       world!.eachMoved(paint)
       // It had the focus before it had a size.
-      const chip = chipAt((root.getRootNode() as Document).activeElement)
-      if (chip) bringIn(chip)
+      bringIn(chipAt((root.getRootNode() as Document).activeElement))
     }
   })
 
@@ -4232,14 +4231,12 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
-  function bringIn(chip: Chip) {
-    if (!world || !pausing.current) return
-    if (chip.id < 0) {
-      if (!withdraw(chip)) return
-      release(chip)
-    } else if (chip.state === 'resting' || chip.y > 0) return
-    world.place(chip.id, { y: chip.reach })
-    world.eachMoved(paint)
+  function bringIn(chip: Chip | undefined) {
+    if (!chip || !pausing.current) return
+    if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+    if (chip.id < 0) release(chip)
+    world!.place(chip.id, { y: chip.reach })
+    world!.eachMoved(paint)
   }
 
   // Pointers

@@ -262,8 +262,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       world!.makeRoom()
       world!.eachMoved(paint)
       // It had the focus before it had a size.
-      const chip = chipAt((root.getRootNode() as Document).activeElement)
-      if (chip) bringIn(chip)
+      bringIn(chipAt((root.getRootNode() as Document).activeElement))
     }
   })
 
@@ -681,14 +680,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
-  function bringIn(chip: Chip) {
-    if (!world || !pausing.current) return
-    if (chip.id < 0) {
-      if (!withdraw(chip)) return
-      release(chip)
-    } else if (chip.state === 'resting' || chip.y > 0) return
-    world.place(chip.id, { y: chip.reach })
-    world.eachMoved(paint)
+  function bringIn(chip: Chip | undefined) {
+    if (!chip || !pausing.current) return
+    if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+    if (chip.id < 0) release(chip)
+    world!.place(chip.id, { y: chip.reach })
+    world!.eachMoved(paint)
   }
 
   // Pointers
