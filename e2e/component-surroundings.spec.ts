@@ -61,14 +61,18 @@ test('what hangs above a stage paused in mid-fall comes into view when the keybo
   stage,
   page,
 }) => {
-  await stage.open('surroundings', { kind: 'links' })
-  // In the page itself: it falls into view in less time than an answer may take.
-  await stage.root.evaluate(async (root) => {
-    while (!root.querySelector('[data-state=falling]')) await window.probe.pass(1)
-    document.querySelector<HTMLElement>('#pause')?.click()
+  // By the page itself, from its start: an answer may take longer than the fall into view.
+  await page.addInitScript(() => {
+    new MutationObserver((_, observer) => {
+      if (!document.querySelector('[data-state=falling]')) return
+      observer.disconnect()
+      document.querySelector<HTMLElement>('#pause')?.click()
+    }).observe(document, { subtree: true, attributeFilter: ['data-state'] })
   })
+  await stage.open('surroundings', { kind: 'links' })
   await stage.reaches('paused')
   const link = page.getByText('here', { exact: true })
+  await expect(link).not.toBeInViewport()
   await page.keyboard.press('Tab')
   await expect(link).toBeFocused()
   await expect(link).toBeInViewport({ ratio: 1 })
