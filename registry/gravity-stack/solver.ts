@@ -609,20 +609,22 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
 export function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
   const { awake, awakeCount } = bodies
-  touch[WIDEST] = MARGIN
   let rounds = 0
   for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
+    // Walls that have moved are seen all the same.
     for (let i = 0; i < count; i++) {
       const c = list[i]
-      // Walls that have moved are seen all the same.
+      touch[WIDEST] = MARGIN
+      if (contacts.wall[c] > 2) {
+        halfExtents(bodies, contacts.pair[2 * c + 1], 0, 0)
+        if (2 * extents[X] > walls.width + 2) {
+          // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find
+          // no room at all, and would take as long in every step.
+          touch[WIDEST] = -Infinity
+          visits /= 8
+        }
+      }
       measure(bodies, contacts, walls, c)
-      if (contacts.wall[c] < 3) continue
-      halfExtents(bodies, contacts.pair[2 * c + 1], 0, 0)
-      if (2 * extents[X] <= walls.width + 2) continue
-      // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find no
-      // room at all, and would take as long in every step.
-      contacts.data[c * CONTACT + POINTS] = 0
-      visits /= 8
     }
     let passes = 0
     const most = Math.min(PARTINGS, visits / count)
