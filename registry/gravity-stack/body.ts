@@ -110,9 +110,9 @@ export function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T,
 
 /** Makes every array of `owner` so many times as long. */
 export function grow(owner: object, times: number): void {
-  for (const [name, list] of Object.entries(owner))
-    if (ArrayBuffer.isView(list))
-      Reflect.set(owner, name, grown(list as Int32Array, (list as Int32Array).length * times))
+  const named = owner as Record<string, Int32Array>
+  for (const name in named)
+    if (ArrayBuffer.isView(named[name])) named[name] = grown(named[name], named[name].length * times)
 }
 
 /**
@@ -153,9 +153,12 @@ export function setShape(
   bodies.state[i * STATE + INV_INERTIA] = 1 / inertia
 }
 
-/** px, half the shorter side of body `i`. */
-export function narrowest(shape: Float64Array, i: number): number {
-  return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
+/** px, where the right wall is for body `i`: one that fits at no turn has it as far off as it needs at any. */
+export function farWall(shape: Float64Array, i: number, width: number): number {
+  const s = i * SHAPE
+  return 2 * (Math.min(shape[s + HX], shape[s + HY]) + shape[s + RADIUS]) > width
+    ? 2 * shape[s + EXTENT]
+    : width
 }
 
 /** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15 within a turn, 1e-13 within 150. */

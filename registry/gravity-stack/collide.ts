@@ -1,4 +1,4 @@
-import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y } from './body'
+import { type Bodies, COS, farWall, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y } from './body'
 
 /**
  * Two shapes in, contact points out. The result is left in `touch`, which is used again by the next call.
@@ -307,7 +307,7 @@ export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: numbe
   const { width, height } = walls
   const nx = floor ? 0 : left ? 1 : -1
   const ny = floor ? -1 : 0
-  const offset = -(floor ? height : left ? 0 : width)
+  const offset = -(floor ? height : left ? 0 : farWall(shape, b, width))
   touch.fill(0, 0, NORMAL_X)
   touch[COUNT] = 0
   touch[NORMAL_X] = nx

@@ -166,6 +166,12 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
+/** Contact `c` is as if it had never been measured. */
+export function forgetContact({ data }: Contacts, c: number): void {
+  data.fill(0, c * CONTACT, (c + 1) * CONTACT)
+  data[c * CONTACT + CLEAR] = data[c * CONTACT + DUE] = -Infinity
+}
+
 /** A slot for the pair of bodies `a` and `b`, or for body `b` and a wall (`a` is 0 then). */
 export function addContact(contacts: Contacts, a: number, b: number, wall: number): number {
   let c = contacts.free
@@ -177,9 +183,7 @@ export function addContact(contacts: Contacts, a: number, b: number, wall: numbe
   contacts.pair[2 * c] = a
   contacts.pair[2 * c + 1] = b
   contacts.wall[c] = wall
-  contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
-  contacts.data[c * CONTACT + CLEAR] = -Infinity
-  contacts.data[c * CONTACT + DUE] = -Infinity
+  forgetContact(contacts, c)
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c

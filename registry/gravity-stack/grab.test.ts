@@ -225,6 +225,17 @@ describe('a chip let go', () => {
     expect(world.read(ids[0]).vx).toBeCloseTo(500, 6)
   })
 
+  it('keeps its own speed when all that tells of its speed are two words in the same tenth of a millisecond', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 320, 100)
+    run(world, 1)
+    const { vx } = world.read(ids[0])
+    grab.moveTo(321, 100, 1)
+    grab.moveTo(321.5, 100, 1.0001)
+    grab.release()
+    expect(world.read(ids[0]).vx).toBe(vx)
+  })
+
   it('never leaves faster than 1800 px/s', () => {
     for (const speed of [2000, 2500]) {
       const { vx, vy } = throwAt(speed, 60, 40)

@@ -197,7 +197,8 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
       tx += off * sample.x
       ty += off * sample.y
     }
-    if (tt > 0) {
+    // Two samples within 4 ms tell of no speed.
+    if (tt > 1e-5) {
       const vx = tx / tt
       const vy = ty / tt
       findArm(bodies, hold)

@@ -365,7 +365,6 @@ function hit(scene: Scene, c: number, further: number): void {
 
 /** Takes up the contacts of body `i` that touch and now approach by `passOn`: they stop dead, they don't bounce. */
 function spread(impacts: Impacts, scene: Scene, i: number): void {
-  if (i === 0) return
   const { bodies, contacts } = scene
   const { data: d, pair } = contacts
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {

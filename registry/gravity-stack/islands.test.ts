@@ -96,6 +96,30 @@ describe('a pile falls asleep', () => {
     }
   })
 
+  it('though the stage has become narrower than any of its chips at any turn', () => {
+    const chips = [60, 180, 300, 420].map((x) => ({ ...pill, x, y: floor - 15 }))
+    const disc = { width: 30, height: 30, radius: 15, x: 560, y: floor - 15, angle: 0 }
+    for (const width of [29, 10, 1]) {
+      const { world } = worldOf([...chips, disc])
+      world.resize(width, stage.height)
+      expect(settle(world, 600), `${width} px`).toBeLessThan(600)
+    }
+  })
+
+  it('not where it leans, when what held it up goes just before it would', () => {
+    for (let frames = 24; frames < 33; frames++) {
+      const { world, ids } = worldOf([
+        { width: 60, height: 60, x: 290, y: floor - 30, angle: 0 },
+        { width: 20, height: 60, x: 410, y: floor - 30, angle: 0 },
+        { width: 200, height: 20, x: 326, y: floor - 70, angle: 0 },
+      ])
+      for (let k = 0; k < frames; k++) world.step(frame)
+      world.remove(ids[1])
+      settle(world)
+      expect(world.read(ids[2]).angle, `after ${frames} frames`).toBeGreaterThan(0.1)
+    }
+  })
+
   it('and stays awake with sleep switched off', () => {
     const { world } = worldOf(tower(2), { sleep: false })
     run(world, 3)

@@ -170,7 +170,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
       if (d[k + POINTS] === 0) {
         let may = fall + go
         if (again) {
-          const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
+          const root = asleep[j] === 0 ? find(parent, j) : 0
           may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]

@@ -1,4 +1,4 @@
-import { type Bodies, CORE, extents, halfExtents, narrowest, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
+import { type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
@@ -30,9 +30,8 @@ export function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
 }
 
 export function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
-  let to = 0
-  for (let k = 0; k < pairs.sorted; k++) if (pairs.order[k] !== i) pairs.order[to++] = pairs.order[k]
-  pairs.sorted = to
+  const at = pairs.order.indexOf(i)
+  pairs.order.copyWithin(at, at + 1, pairs.sorted--)
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
 }
 
@@ -74,15 +73,13 @@ export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: 
     moved[i] = 1
     any = true
     const k = i * 4
-    // Between two walls that no turn of it fits, a chip would be pressed to and fro for ever: the left one holds it.
-    const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
       const near =
         w === 0
           ? box[k + 3] > walls.height - WALL_SKIN
           : w === 1
             ? box[k] < WALL_SKIN
-            : fits && box[k + 2] > walls.width - WALL_SKIN
+            : box[k + 2] > walls.width - WALL_SKIN
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {

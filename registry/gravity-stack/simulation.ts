@@ -26,10 +26,10 @@ import {
   STEP,
   SUBSTEPS,
 } from './constants'
-import { CLEAR, CONTACT, DRAG, DUE, LOAD, POINTS, SECOND } from './contacts'
+import { CONTACT, DRAG, DUE, forgetContact, LOAD, SECOND } from './contacts'
 import { createHold, recordHold, throwVelocity } from './grab'
 import { enterPairs, leavePairs } from './pairs'
-import { disturb, makeRoom, Simulation, stepOnce, wake } from './step'
+import { disturb, makeRoom, rouse, Simulation, stepOnce, wake } from './step'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -114,17 +114,14 @@ export function createWorld(options: WorldOptions) {
       const capacity = bodies.alive.length
       if (capacity < bodies.count)
         for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
-      const { density = 1 } = body
-      bodies.density[i] = within(density > 0 ? density : 1, 1e-6, 1e6, 1)
+      const { density } = body
+      bodies.density[i] = within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
       put(i, body)
       bodies.alive[i] = 1
-      bodies.asleep[i] = 0
       bodies.held[i] = 0
-      bodies.jams[i] = 0
-      bodies.undrawn[i] = 1
-      bodies.awake[bodies.awakeCount++] = i
+      rouse(bodies, i)
       enterPairs(pairs, contacts, i)
       return i
     },
@@ -135,9 +132,8 @@ export function createWorld(options: WorldOptions) {
       disturb(scene, id)
       for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
-      const { awake, awakeCount } = bodies
-      bodies.awakeCount = 0
-      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
+      const at = bodies.awake.indexOf(id)
+      bodies.awake.copyWithin(at, at + 1, bodies.awakeCount--)
       bodies.alive[id] = 0
       freeSlots.push(id)
     },
@@ -167,7 +163,7 @@ export function createWorld(options: WorldOptions) {
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
       // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
-      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(c)
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(contacts, c)
       scene.cramped = PATIENCE
     },
 
@@ -192,7 +188,7 @@ export function createWorld(options: WorldOptions) {
       const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
       scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
-      const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
+      const share = within(gravity / (scene.gravity || gravity || 1), 0, 1000, 1)
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + LOAD] *= share
         contacts.data[k + SECOND + LOAD] *= share
@@ -205,7 +201,7 @@ export function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
+      left += within(seconds, 0, 3600, 0)
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
@@ -215,16 +211,17 @@ export function createWorld(options: WorldOptions) {
 
     /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
-      if (!bodies.alive[id]) return { moveTo() {}, release() {} }
       const hold = createHold(
         bodies,
         id,
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
-      disturb(scene, id)
-      bodies.held[id]++
-      holds.push(hold)
+      if (bodies.alive[id]) {
+        disturb(scene, id)
+        bodies.held[id]++
+        holds.push(hold)
+      }
       return {
         moveTo(toX, toY, seconds) {
           const when = within(seconds, -1e12, 1e12, 0)
@@ -251,7 +248,7 @@ export function createWorld(options: WorldOptions) {
 
     /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
-      const share = Math.min(1, Math.max(0, left / STEP))
+      const share = within(left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
@@ -290,9 +287,7 @@ export function createWorld(options: WorldOptions) {
 
   function wakeAll(): void {
     for (let i = 1; i < bodies.count; i++) {
-      if (!bodies.alive[i]) continue
       wake(scene, i)
-      bodies.rest[i * 4 + 3] = 0
     }
   }
 
@@ -300,14 +295,8 @@ export function createWorld(options: WorldOptions) {
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
     bodies.undrawn[i] = 1
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) forgetContact(edge >> 1)
-  }
-
-  function forgetContact(c: number): void {
-    const { data } = contacts
-    const k = c * CONTACT
-    data[k + CLEAR] = data[k + DUE] = -Infinity
-    data[k + POINTS] = data[k + LOAD] = data[k + SECOND + LOAD] = data[k + DRAG] = 0
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+      forgetContact(contacts, edge >> 1)
   }
 }
 
@@ -325,5 +314,5 @@ function within(value: number | undefined, least: number, most: number, otherwis
 
 /** px; a size below 1 px, or none, counts as 1 px. */
 function size(value: number): number {
-  return Math.max(1, Math.min(FAR, finite(value)))
+  return within(value, 1, FAR, 0)
 }

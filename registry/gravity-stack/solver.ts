@@ -9,6 +9,7 @@ import {
   DRIFT_Y,
   EXTENT,
   extents,
+  farWall,
   HORIZON,
   halfExtents,
   INDEX,
@@ -19,7 +20,6 @@ import {
   KICK_Y,
   MOTION,
   NEVER,
-  narrowest,
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
@@ -596,9 +596,7 @@ export function keepInside({ bodies, walls }: Scene, i: number): void {
   if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
   halfExtents(bodies, i, WALL_GIVE, 0)
   const ex = extents[X]
-  // What fits at no turn stands at the left wall.
-  const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-  state[s + X] = Math.min(Math.max(atX, ex), right)
+  state[s + X] = Math.min(Math.max(atX, ex), Math.max(ex, farWall(shape, i, walls.width) - ex))
   state[s + Y] = Math.min(atY, walls.height - extents[Y])
 }
 

@@ -403,19 +403,20 @@ export function makeRoom(simulation: Simulation): void {
 /** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
 export function wake(scene: Scene, i: number): void {
   const { bodies, contacts } = scene
+  bodies.rest[i * 4 + 3] = 0
   if (bodies.asleep[i] === 0) return
   rouse(bodies, i)
   for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
     for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
       const k = (edge >> 1) * CONTACT
-      if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
+      if (bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
         rouse(bodies, j)
     }
   }
 }
 
-function rouse(bodies: Bodies, i: number): void {
+export function rouse(bodies: Bodies, i: number): void {
   bodies.asleep[i] = 0
   bodies.rest[i * 4 + 3] = 0
   bodies.jams[i] = 0
@@ -426,12 +427,10 @@ function rouse(bodies: Bodies, i: number): void {
 
 /** Wakes body `i` and all that touch it, whether they carry anything or not. */
 export function disturb(scene: Scene, i: number): void {
-  const { bodies, contacts } = scene
+  const { contacts } = scene
   wake(scene, i)
-  bodies.rest[i * 4 + 3] = 0
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-    const j = contacts.pair[edge ^ 1]
-    if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, j)
+    if (contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, contacts.pair[edge ^ 1])
   }
 }
 
@@ -442,7 +441,7 @@ function wakeStruck(scene: Scene): void {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
-      if (j === 0 || bodies.asleep[j] === 0) continue
+      if (bodies.asleep[j] === 0) continue
       const c = edge >> 1
       const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
