@@ -65,6 +65,21 @@ test('focus that jumps into a stage far down the page brings the stage into view
   await expect(page.getByText('a button')).toBeInViewport()
 })
 
+test('the Tab key on the way into a stage just below the window brings the stage into view', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  for (const above of [600, 640, 680]) {
+    await stage.open('controls', { above })
+    await page.getByText('before').focus()
+    await page.keyboard.press('Tab')
+    await expect(page.getByText('Read the docs')).toBeFocused()
+    await expect(stage.chip('Read the docs')).toHaveAttribute('data-state', 'resting')
+    await expect(page.getByText('Read the docs')).toBeInViewport()
+  }
+})
+
 test('focus on a chip that is falling is in view when it lies, though the floor was below the window', async ({
   stage,
   page,

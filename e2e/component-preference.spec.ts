@@ -107,6 +107,20 @@ test.describe('with reduced motion', () => {
     expect(await stage.chips.first().evaluate((chip, before) => chip === before, mark)).toBe(true)
   })
 
+  test('switched off while the tab is hidden, the chips fall when it comes back', async ({ stage, page }) => {
+    // Chromium tells a query nothing of what has been read of it before: here it never does.
+    await page.addInitScript(() =>
+      Object.assign(MediaQueryList.prototype, { addEventListener() {}, addListener() {} }),
+    )
+    await stage.open('pile')
+    await begun(stage)
+    await page.emulateMedia({ reducedMotion: 'no-preference' })
+    await stage.reaches('static')
+    await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')))
+    await stage.reaches('resting')
+    expect(await stage.overlap()).toBeLessThan(1)
+  })
+
   test('axe finds nothing', async ({ stage, page }) => {
     await stage.open('controls')
     expect(

@@ -36,6 +36,29 @@ test('pause() holds a stage from the start when it is called before anything is 
   expect(await stage.during('frames')).toBe(0)
 })
 
+test('in a stage without height that is paused from the start a chip can have the focus', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'lowest' })
+  await page.getByText('there').focus()
+  await expect(page.getByText('there')).toBeFocused()
+  await expect.poll(() => stage.probe((probe) => probe.observed.resize)).toBeGreaterThan(1)
+  await page.getByText('there').blur()
+  await page.getByText('there').focus()
+})
+
+test('a finger that swipes over a paused stage is the browser’s, whichever way it goes', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('extras')
+  await expect(stage.chips.first()).toHaveCSS('touch-action', 'pan-y pinch-zoom')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  await expect(stage.chips.first()).toHaveCSS('touch-action', 'auto')
+})
+
 test('drop() lets a paused pile fall', async ({ stage, page }) => {
   await stage.open('extras')
   await expect(stage.chips.nth(1)).toHaveAttribute('data-state', 'falling')
@@ -351,8 +374,9 @@ for (const missing of ['matchMedia', 'IntersectionObserver']) {
   })
 }
 
-test('a press on a popover of a chip moves no chip', async ({ stage, page }) => {
+test('a press on a popover of a chip moves no chip; its words can be selected', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'popover' })
+  await expect(page.getByText('read me')).toHaveCSS('cursor', 'auto')
   const box = (await page.getByText('read me').boundingBox())!
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
   await page.mouse.down()
@@ -360,6 +384,8 @@ test('a press on a popover of a chip moves no chip', async ({ stage, page }) => 
   expect(await stage.states()).not.toContain('held')
   await page.mouse.up()
   await stage.reaches('resting')
+  await page.getByText('read me').click({ clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`.trim())).toBe('read me')
 })
 
 test('a tap on a button in a shadow tree is the button’s: its chip does not hop', async ({ stage, page }) => {

@@ -109,6 +109,24 @@ test('a finger that rests on a chip for a moment holds it; then it can be lifted
   await stage.reaches('resting')
 })
 
+test('a finger that carries a chip presses nothing in it', async ({ stage, page }) => {
+  const finger = await ready(stage, page)
+  const chip = stage.chips.first()
+  const heard = await chip.evaluateHandle((wrapper) => {
+    const types: string[] = []
+    for (const type of ['pointerup', 'click'])
+      wrapper.firstElementChild!.addEventListener(type, () => types.push(type))
+    return types
+  })
+  await onto(finger, stage, chip)
+  await finger.by(60, 0)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await finger.by(0, -60)
+  await finger.up()
+  await stage.reaches('resting')
+  expect(await heard.jsonValue()).toEqual([])
+})
+
 test('a finger keeps the chip whose content is replaced under it', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'swaps' })
   const finger = await Finger.on(page)

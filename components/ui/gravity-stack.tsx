@@ -296,9 +296,9 @@ function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T, length
 
 /** Makes every array of `owner` so many times as long. */
 function grow(owner: object, times: number): void {
-  for (const [name, list] of Object.entries(owner))
-    if (ArrayBuffer.isView(list))
-      Reflect.set(owner, name, grown(list as Int32Array, (list as Int32Array).length * times))
+  const named = owner as Record<string, Int32Array>
+  for (const name in named)
+    if (ArrayBuffer.isView(named[name])) named[name] = grown(named[name], named[name].length * times)
 }
 
 /**
@@ -339,9 +339,12 @@ function setShape(
   bodies.state[i * STATE + INV_INERTIA] = 1 / inertia
 }
 
-/** px, half the shorter side of body `i`. */
-function narrowest(shape: Float64Array, i: number): number {
-  return Math.min(shape[i * SHAPE + HX], shape[i * SHAPE + HY]) + shape[i * SHAPE + RADIUS]
+/** px, where the right wall is for body `i`: one that fits at no turn has it as far off as it needs at any. */
+function farWall(shape: Float64Array, i: number, width: number): number {
+  const s = i * SHAPE
+  return 2 * (Math.min(shape[s + HX], shape[s + HY]) + shape[s + RADIUS]) > width
+    ? 2 * shape[s + EXTENT]
+    : width
 }
 
 /** Orientation of body `i` from its angle by + − × ÷ alone, because Math.sin is not the same in every engine. Error below 1e-15 within a turn, 1e-13 within 150. */
@@ -812,7 +815,7 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
   const { width, height } = walls
   const nx = floor ? 0 : left ? 1 : -1
   const ny = floor ? -1 : 0
-  const offset = -(floor ? height : left ? 0 : width)
+  const offset = -(floor ? height : left ? 0 : farWall(shape, b, width))
   touch.fill(0, 0, NORMAL_X)
   touch[COUNT] = 0
   touch[NORMAL_X] = nx
@@ -1019,7 +1022,8 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
       tx += off * sample.x
       ty += off * sample.y
     }
-    if (tt > 0) {
+    // Two samples within 4 ms tell of no speed.
+    if (tt > 1e-5) {
       const vx = tx / tt
       const vy = ty / tt
       findArm(bodies, hold)
@@ -1166,6 +1170,12 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
+/** Contact `c` is as if it had never been measured. */
+function forgetContact({ data }: Contacts, c: number): void {
+  data.fill(0, c * CONTACT, (c + 1) * CONTACT)
+  data[c * CONTACT + CLEAR] = data[c * CONTACT + DUE] = -Infinity
+}
+
 /** A slot for the pair of bodies `a` and `b`, or for body `b` and a wall (`a` is 0 then). */
 function addContact(contacts: Contacts, a: number, b: number, wall: number): number {
   let c = contacts.free
@@ -1177,9 +1187,7 @@ function addContact(contacts: Contacts, a: number, b: number, wall: number): num
   contacts.pair[2 * c] = a
   contacts.pair[2 * c + 1] = b
   contacts.wall[c] = wall
-  contacts.data.fill(0, c * CONTACT, (c + 1) * CONTACT)
-  contacts.data[c * CONTACT + CLEAR] = -Infinity
-  contacts.data[c * CONTACT + DUE] = -Infinity
+  forgetContact(contacts, c)
   if (a > 0) link(contacts, 2 * c, a)
   link(contacts, 2 * c + 1, b)
   return c
@@ -1414,9 +1422,8 @@ function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
 }
 
 function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
-  let to = 0
-  for (let k = 0; k < pairs.sorted; k++) if (pairs.order[k] !== i) pairs.order[to++] = pairs.order[k]
-  pairs.sorted = to
+  const at = pairs.order.indexOf(i)
+  pairs.order.copyWithin(at, at + 1, pairs.sorted--)
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
 }
 
@@ -1458,15 +1465,13 @@ function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs):
     moved[i] = 1
     any = true
     const k = i * 4
-    // Between two walls that no turn of it fits, a chip would be pressed to and fro for ever: the left one holds it.
-    const fits = 2 * narrowest(bodies.shape, i) <= walls.width
     for (let w = 0; w < 3; w++) {
       const near =
         w === 0
           ? box[k + 3] > walls.height - WALL_SKIN
           : w === 1
             ? box[k] < WALL_SKIN
-            : fits && box[k + 2] > walls.width - WALL_SKIN
+            : box[k + 2] > walls.width - WALL_SKIN
       const have = wallContact[i * 3 + w]
       if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
       else if (!near && have >= 0) {
@@ -1893,7 +1898,6 @@ function hit(scene: Scene, c: number, further: number): void {
 
 /** Takes up the contacts of body `i` that touch and now approach by `passOn`: they stop dead, they don't bounce. */
 function spread(impacts: Impacts, scene: Scene, i: number): void {
-  if (i === 0) return
   const { bodies, contacts } = scene
   const { data: d, pair } = contacts
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2482,9 +2486,7 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
   if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
   halfExtents(bodies, i, WALL_GIVE, 0)
   const ex = extents[X]
-  // What fits at no turn stands at the left wall.
-  const right = 2 * narrowest(shape, i) <= walls.width ? Math.max(ex, walls.width - ex) : ex + WALL_GIVE
-  state[s + X] = Math.min(Math.max(atX, ex), right)
+  state[s + X] = Math.min(Math.max(atX, ex), Math.max(ex, farWall(shape, i, walls.width) - ex))
   state[s + Y] = Math.min(atY, walls.height - extents[Y])
 }
 
@@ -2663,7 +2665,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
       if (d[k + POINTS] === 0) {
         let may = fall + go
         if (again) {
-          const root = j > 0 && asleep[j] === 0 ? find(parent, j) : 0
+          const root = asleep[j] === 0 ? find(parent, j) : 0
           may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         }
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
@@ -3121,13 +3123,14 @@ function makeRoom(simulation: Simulation): void {
 /** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
 function wake(scene: Scene, i: number): void {
   const { bodies, contacts } = scene
+  bodies.rest[i * 4 + 3] = 0
   if (bodies.asleep[i] === 0) return
   rouse(bodies, i)
   for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
     for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
       const k = (edge >> 1) * CONTACT
-      if (j > 0 && bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
+      if (bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
         rouse(bodies, j)
     }
   }
@@ -3144,12 +3147,10 @@ function rouse(bodies: Bodies, i: number): void {
 
 /** Wakes body `i` and all that touch it, whether they carry anything or not. */
 function disturb(scene: Scene, i: number): void {
-  const { bodies, contacts } = scene
+  const { contacts } = scene
   wake(scene, i)
-  bodies.rest[i * 4 + 3] = 0
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-    const j = contacts.pair[edge ^ 1]
-    if (j > 0 && contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, j)
+    if (contacts.data[(edge >> 1) * CONTACT + POINTS] > 0) wake(scene, contacts.pair[edge ^ 1])
   }
 }
 
@@ -3160,7 +3161,7 @@ function wakeStruck(scene: Scene): void {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
-      if (j === 0 || bodies.asleep[j] === 0) continue
+      if (bodies.asleep[j] === 0) continue
       const c = edge >> 1
       const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
       if (gapBound(bodies, contacts, c) > go + MARGIN) continue
@@ -3260,17 +3261,14 @@ function createWorld(options: WorldOptions) {
       const capacity = bodies.alive.length
       if (capacity < bodies.count)
         for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
-      const { density = 1 } = body
-      bodies.density[i] = within(density > 0 ? density : 1, 1e-6, 1e6, 1)
+      const { density } = body
+      bodies.density[i] = within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
       put(i, body)
       bodies.alive[i] = 1
-      bodies.asleep[i] = 0
       bodies.held[i] = 0
-      bodies.jams[i] = 0
-      bodies.undrawn[i] = 1
-      bodies.awake[bodies.awakeCount++] = i
+      rouse(bodies, i)
       enterPairs(pairs, contacts, i)
       return i
     },
@@ -3281,9 +3279,8 @@ function createWorld(options: WorldOptions) {
       disturb(scene, id)
       for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
-      const { awake, awakeCount } = bodies
-      bodies.awakeCount = 0
-      for (let n = 0; n < awakeCount; n++) if (awake[n] !== id) awake[bodies.awakeCount++] = awake[n]
+      const at = bodies.awake.indexOf(id)
+      bodies.awake.copyWithin(at, at + 1, bodies.awakeCount--)
       bodies.alive[id] = 0
       freeSlots.push(id)
     },
@@ -3313,7 +3310,7 @@ function createWorld(options: WorldOptions) {
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
       // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
-      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(c)
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(contacts, c)
       scene.cramped = PATIENCE
     },
 
@@ -3338,7 +3335,7 @@ function createWorld(options: WorldOptions) {
       const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
       scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
-      const share = Math.max(0, Math.min(1000, gravity / (scene.gravity || gravity || 1)))
+      const share = within(gravity / (scene.gravity || gravity || 1), 0, 1000, 1)
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + LOAD] *= share
         contacts.data[k + SECOND + LOAD] *= share
@@ -3351,7 +3348,7 @@ function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      left += seconds > 0 && seconds < Infinity ? Math.min(seconds, 3600) : 0
+      left += within(seconds, 0, 3600, 0)
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (left >= STEP * 0.999) {
         left -= STEP
@@ -3361,16 +3358,17 @@ function createWorld(options: WorldOptions) {
 
     /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
-      if (!bodies.alive[id]) return { moveTo() {}, release() {} }
       const hold = createHold(
         bodies,
         id,
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
-      disturb(scene, id)
-      bodies.held[id]++
-      holds.push(hold)
+      if (bodies.alive[id]) {
+        disturb(scene, id)
+        bodies.held[id]++
+        holds.push(hold)
+      }
       return {
         moveTo(toX, toY, seconds) {
           const when = within(seconds, -1e12, 1e12, 0)
@@ -3397,7 +3395,7 @@ function createWorld(options: WorldOptions) {
 
     /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
-      const share = Math.min(1, Math.max(0, left / STEP))
+      const share = within(left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
@@ -3436,9 +3434,7 @@ function createWorld(options: WorldOptions) {
 
   function wakeAll(): void {
     for (let i = 1; i < bodies.count; i++) {
-      if (!bodies.alive[i]) continue
       wake(scene, i)
-      bodies.rest[i * 4 + 3] = 0
     }
   }
 
@@ -3446,14 +3442,8 @@ function createWorld(options: WorldOptions) {
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
     bodies.undrawn[i] = 1
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) forgetContact(edge >> 1)
-  }
-
-  function forgetContact(c: number): void {
-    const { data } = contacts
-    const k = c * CONTACT
-    data[k + CLEAR] = data[k + DUE] = -Infinity
-    data[k + POINTS] = data[k + LOAD] = data[k + SECOND + LOAD] = data[k + DRAG] = 0
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+      forgetContact(contacts, edge >> 1)
   }
 }
 
@@ -3471,7 +3461,7 @@ function within(value: number | undefined, least: number, most: number, otherwis
 
 /** px; a size below 1 px, or none, counts as 1 px. */
 function size(value: number): number {
-  return Math.max(1, Math.min(FAR, finite(value)))
+  return within(value, 1, FAR, 0)
 }
 
 // drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
@@ -3708,8 +3698,8 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 }
 
 /** The element around another, outside of a shadow tree too. */
-function above(node: Element): Element | null {
-  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host ?? null
+function above(node: Element): Element | null | undefined {
+  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
 /** Before any handler on the way that keeps events to itself. */
@@ -3762,6 +3752,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let live = false
   let started = false
   let inView = false
+  /** Whether sizes are watched: not where chips stand in their row. */
+  let moving = false
   /** s simulated since the stage began, and ms of the frame before, while frames run. */
   let clock = 0
   let last: number | undefined
@@ -3834,14 +3826,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   })
 
   function collect() {
-    const moves = !still.matches
     // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
     for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
-      if (moves) sizes.observe(element)
+      if (moving) sizes.observe(element)
     }
     let waited = false
     for (const [element, chip] of chips) {
@@ -3985,7 +3976,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const poses = world!.scene.bodies.state
     // From the world's own array: to read every chip at every release would leave an object each on the heap.
     bodies.forEach((other) => {
-      if (other.id < 0) return
       const x = poses[other.id * STATE + X]!
       const y = poses[other.id * STATE + Y]!
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
@@ -4082,8 +4072,19 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
     if (!listening) return
+    // Looked at here, as Chromium tells nothing of a change that somebody has read before its event: a tab that comes back.
+    if (moving === still.matches) {
+      moving = !moving
+      sizes.disconnect()
+      if (moving) {
+        sizes.observe(root)
+        for (const chip of chips.values()) sizes.observe(chip.element)
+        // Who has the focus in the row waits for nobody.
+        focus({ target: (root.getRootNode() as Document).activeElement })
+      }
+    }
     catchUp()
-    const idle = !world || world.resting
+    const idle = world?.resting
     const next = still.matches
       ? 'static'
       : !started || !world
@@ -4141,17 +4142,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync()
   }
 
-  function stillChanged() {
-    sizes.disconnect()
-    if (!still.matches) {
-      sizes.observe(root)
-      for (const chip of chips.values()) sizes.observe(chip.element)
-      // Who has the focus in the row waits for nobody.
-      if (listening) focus({ target: (root.getRootNode() as Document).activeElement })
-    }
-    sync()
-  }
-
   /** The stage comes into view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
@@ -4159,17 +4149,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    stillChanged()
     collect()
     listen()
-    focus({ target: (root.getRootNode() as Document).activeElement })
   }
 
   function listen() {
     listening?.abort()
     listening = new AbortController()
     const on = hearing(listening)
-    on(still, 'change', stillChanged)
+    on(still, 'change', sync)
     on(page, 'visibilitychange', sync)
     on(root, 'transitionend', ({ target }) => reshape(target))
     on(root, 'focusin', focus)
@@ -4234,7 +4222,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
   function bringIn(chip: Chip | undefined) {
-    if (!chip || !pausing.current) return
+    if (!chip || !world || !pausing.current) return
     if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
     if (chip.id < 0) release(chip)
     world!.place(chip.id, { y: chip.reach })
@@ -4331,8 +4319,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      // A finger is captured by what it touched from the start.
-      if (!press.touch) capture(press)
+      capture(press)
       if (!press.grab) return hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
@@ -4482,6 +4469,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       listening = undefined
       clearTimeout(unseen)
       sizes.disconnect()
+      moving = false
       changes.disconnect()
       disarm()
     },
@@ -4636,14 +4624,15 @@ export const GravityStack: React.ForwardRefExoticComponent<
           data-state="waiting"
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0!',
-            'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
+            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0! [&_:is(dialog,[popover])]:cursor-auto [&_:is(dialog,[popover])]:select-text',
+            // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
+            '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
             interactive &&
-              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
           {child}

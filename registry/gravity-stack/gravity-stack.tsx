@@ -148,14 +148,15 @@ export const GravityStack: React.ForwardRefExoticComponent<
           data-state="waiting"
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0!',
-            'data-[state=waiting]:[transform:translateY(calc(-100%-6rem))]',
+            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0! [&_:is(dialog,[popover])]:cursor-auto [&_:is(dialog,[popover])]:select-text',
+            // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
+            '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:static [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
             interactive &&
-              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
           {child}

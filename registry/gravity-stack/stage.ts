@@ -155,8 +155,8 @@ function watch(element: Element, seen: (entry: IntersectionObserverEntry) => voi
 }
 
 /** The element around another, outside of a shadow tree too. */
-function above(node: Element): Element | null {
-  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host ?? null
+function above(node: Element): Element | null | undefined {
+  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
 /** Before any handler on the way that keeps events to itself. */
@@ -209,6 +209,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let live = false
   let started = false
   let inView = false
+  /** Whether sizes are watched: not where chips stand in their row. */
+  let moving = false
   /** s simulated since the stage began, and ms of the frame before, while frames run. */
   let clock = 0
   let last: number | undefined
@@ -281,14 +283,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   })
 
   function collect() {
-    const moves = !still.matches
     // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
     for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
-      if (moves) sizes.observe(element)
+      if (moving) sizes.observe(element)
     }
     let waited = false
     for (const [element, chip] of chips) {
@@ -432,7 +433,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const poses = world!.scene.bodies.state
     // From the world's own array: to read every chip at every release would leave an object each on the heap.
     bodies.forEach((other) => {
-      if (other.id < 0) return
       const x = poses[other.id * STATE + X]!
       const y = poses[other.id * STATE + Y]!
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
@@ -529,8 +529,19 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
   function sync() {
     if (!listening) return
+    // Looked at here, as Chromium tells nothing of a change that somebody has read before its event: a tab that comes back.
+    if (moving === still.matches) {
+      moving = !moving
+      sizes.disconnect()
+      if (moving) {
+        sizes.observe(root)
+        for (const chip of chips.values()) sizes.observe(chip.element)
+        // Who has the focus in the row waits for nobody.
+        focus({ target: (root.getRootNode() as Document).activeElement })
+      }
+    }
     catchUp()
-    const idle = !world || world.resting
+    const idle = world?.resting
     const next = still.matches
       ? 'static'
       : !started || !world
@@ -588,17 +599,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     sync()
   }
 
-  function stillChanged() {
-    sizes.disconnect()
-    if (!still.matches) {
-      sizes.observe(root)
-      for (const chip of chips.values()) sizes.observe(chip.element)
-      // Who has the focus in the row waits for nobody.
-      if (listening) focus({ target: (root.getRootNode() as Document).activeElement })
-    }
-    sync()
-  }
-
   /** The stage comes into view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
@@ -606,17 +606,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    stillChanged()
     collect()
     listen()
-    focus({ target: (root.getRootNode() as Document).activeElement })
   }
 
   function listen() {
     listening?.abort()
     listening = new AbortController()
     const on = hearing(listening)
-    on(still, 'change', stillChanged)
+    on(still, 'change', sync)
     on(page, 'visibilitychange', sync)
     on(root, 'transitionend', ({ target }) => reshape(target))
     on(root, 'focusin', focus)
@@ -681,7 +679,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
   function bringIn(chip: Chip | undefined) {
-    if (!chip || !pausing.current) return
+    if (!chip || !world || !pausing.current) return
     if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
     if (chip.id < 0) release(chip)
     world!.place(chip.id, { y: chip.reach })
@@ -778,8 +776,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
-      // A finger is captured by what it touched from the start.
-      if (!press.touch) capture(press)
+      capture(press)
       if (!press.grab) return hold(press)
     }
     press.grab?.moveTo(press.x, press.y, press.seconds)
@@ -929,6 +926,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       listening = undefined
       clearTimeout(unseen)
       sizes.disconnect()
+      moving = false
       changes.disconnect()
       disarm()
     },
