@@ -25,7 +25,11 @@ for (const { path, kilobytes } of pages) {
       args: [`--remote-debugging-port=${port}`],
     })
     try {
-      const { lhr } = (await lighthouse(`${baseURL}${path}`, { port, logLevel: 'error', disableFullPageScreenshot: true }))!
+      const { lhr } = (await lighthouse(`${baseURL}${path}`, {
+        port,
+        logLevel: 'error',
+        disableFullPageScreenshot: true,
+      }))!
       const points = (category: string) => Math.round(lhr.categories[category].score! * 100)
       const score = `Lighthouse, ${path}: performance ${points('performance')}, blocked ${lhr.audits['total-blocking-time'].displayValue}, largest paint ${lhr.audits['largest-contentful-paint'].displayValue}`
       console.log(score)
