@@ -24,9 +24,9 @@ const script = build({
   write: false,
 }).then(({ outputFiles }) => outputFiles[0].text)
 
-for (const { name, title, seeds } of hardScenes) {
+for (const { name, title } of hardScenes) {
   test(`in a browser too, to the last bit: ${title}`, async ({ page }) => {
-    const run = `[1, 2, 3].slice(0, ${seeds}).map((seed) => playTwin('${name}', seed))`
+    const run = `playTwin('${name}', 1)`
     const input = `${await script}; console.log(JSON.stringify(${run}))`
     const inNode = JSON.parse(execFileSync(process.execPath, ['-'], { input, encoding: 'utf8' }))
     await page.addScriptTag({ content: await script })
