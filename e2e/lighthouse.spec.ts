@@ -45,7 +45,8 @@ for (const { path, kilobytes } of pages) {
       for (const category of ['accessibility', 'best-practices', 'seo']) {
         expect(points(category), category).toBe(100)
       }
-      expect(lhr.audits['cumulative-layout-shift'].numericValue).toBe(0)
+      const shifts = JSON.stringify(rows(lhr, 'layout-shifts'))
+      expect(lhr.audits['cumulative-layout-shift'].numericValue, shifts).toBe(0)
       // Stylesheets alone may hold up the first paint.
       const blocking = rows(lhr, 'render-blocking-resources').map(({ url }) => String(url))
       expect(blocking.filter((url) => !url.endsWith('.css'))).toEqual([])
