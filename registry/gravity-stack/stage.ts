@@ -682,8 +682,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!chip || !world || !pausing.current) return
     if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
     if (chip.id < 0) release(chip)
-    world!.place(chip.id, { y: chip.reach })
-    world!.eachMoved(paint)
+    world.place(chip.id, { y: chip.reach })
+    world.eachMoved(paint)
   }
 
   // Pointers
