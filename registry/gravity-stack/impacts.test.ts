@@ -396,6 +396,22 @@ describe('what a bullet knocks away', () => {
   })
 })
 
+it('a chip thrown into a row sets off one after the other and none goes into the next, in whatever order they were added', () => {
+  for (const gap of [2.5, 4, 6]) {
+    const box = { width: 40, height: 40, y: 320, angle: 0 }
+    const row = [0, 1, 2, 3, 4, 5].map((n) => ({ ...box, x: 600 + n * (40 + gap) }))
+    const chips = [{ ...box, x: 559, vx: 1800 }, ...row]
+    for (const order of [chips, chips.toReversed()]) {
+      const wide = { width: 2000, height: 340 }
+      const { world, ids } = worldOf(order, { ...wide, gravity: 0, linearDamping: 0 })
+      for (let k = 0; k < 20; k++) {
+        world.step(frame)
+        expect(overlap(world, ids, order, wide), `${gap} px apart`).toBeLessThan(0.2)
+      }
+    }
+  }
+})
+
 it('a large card that lands on a small one goes 0.3 px into it at most, however it comes', () => {
   const small = { width: 24, height: 24, radius: 6, x: 320, y: stage.height - 12, angle: 0 }
   for (let drop = 0; drop <= 120; drop += 15) {

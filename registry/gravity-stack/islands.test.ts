@@ -120,6 +120,16 @@ describe('a pile falls asleep', () => {
     }
   })
 
+  it('without gravity too, wherever its chips float', () => {
+    const chips = [100, 400].map((x) => ({ ...pill, x, y: 100 }))
+    expect(settle(worldOf(chips, { gravity: 0 }).world, 120)).toBeLessThan(120)
+  })
+
+  it('even a chip that fits between the walls at no turn', () => {
+    const { world } = worldOf([{ width: 700, height: 660, x: 320, y: 0, angle: 0.1 }])
+    expect(settle(world, 600)).toBeLessThan(600)
+  })
+
   it('and stays awake with sleep switched off', () => {
     const { world } = worldOf(tower(2), { sleep: false })
     run(world, 3)
@@ -266,16 +276,6 @@ describe('a sleeping chip sleeps on', () => {
       expect(world.read(ids[2]).asleep).toBe(true)
       expect(world.read(ids[3]).asleep).toBe(true)
     }
-  })
-
-  it('without gravity, wherever it floats', () => {
-    const chips = [100, 400].map((x) => ({ ...pill, x, y: 100 }))
-    expect(settle(worldOf(chips, { gravity: 0 }).world, 120)).toBeLessThan(120)
-  })
-
-  it('also if it fits between the walls at no turn', () => {
-    const { world } = worldOf([{ width: 700, height: 660, x: 320, y: 0, angle: 0.1 }])
-    expect(settle(world, 600)).toBeLessThan(600)
   })
 
   it('and does not hop when gravity is turned down', () => {

@@ -67,15 +67,17 @@ export function find(parent: Int32Array, i: number): number {
   return i
 }
 
-function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): void {
+/** Returns whether the two were apart. */
+function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): boolean {
   const a = find(parent, i)
   const b = find(parent, j)
-  if (a === b) return
+  if (a === b) return false
   // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
   const root = Math.min(a, b)
   const leaf = Math.max(a, b)
   parent[leaf] = root
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
+  return true
 }
 
 /** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
@@ -92,8 +94,11 @@ export function findIslands(islands: Islands, scene: Scene): void {
   islands.nearCount = 0
   islands.struckCount = 0
   gather(islands, scene, false)
-  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well.
-  gather(islands, scene, true)
+  // A body that hits or is hit may go another way than it came: whatever it may then touch is of its island as well, and
+  // what that may touch in its turn.
+  let grows = true
+  while (grows) grows = gather(islands, scene, true)
+  for (let n = 0; n < islands.nearCount; n++) scene.contacts.mark[islands.near[n]] = 0
 
   // Bodies, then contacts, sorted by island.
   const { number, bodyStart, contactStart, near, nearCount } = islands
@@ -138,10 +143,11 @@ export function findIslands(islands: Islands, scene: Scene): void {
 }
 
 /**
- * Adds the contacts that may close within the step to `near` and unites their bodies. In the second round (`again`) a body
- * may go as far as the fastest approach in its island.
+ * Adds the contacts that may close within the step to `near` and unites their bodies; returns whether any were apart. In
+ * rounds after the first (`again`) a body may go as far as the fastest approach in its island.
  */
-function gather(islands: Islands, scene: Scene, again: boolean): void {
+function gather(islands: Islands, scene: Scene, again: boolean): boolean {
+  let grew = false
   const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, next, pair } = contacts
@@ -196,12 +202,12 @@ function gather(islands: Islands, scene: Scene, again: boolean): void {
       mark[c] = -1
       if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
       islands.near[islands.nearCount++] = c
-      if (j > 0) unite(parent, reach, i, j)
+      if (j > 0 && unite(parent, reach, i, j)) grew = true
       const root = find(parent, i)
       if (go > reach[root]) reach[root] = go
     }
   }
-  if (again) for (let n = 0; n < islands.nearCount; n++) mark[islands.near[n]] = 0
+  return grew
 }
 
 /**

@@ -619,7 +619,7 @@ export function straighten(scene: Scene, list: Int32Array, count: number): boole
           // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find
           // no room at all, and would take as long in every step.
           touch[WIDEST] = -Infinity
-          visits /= 8
+          visits = Math.min(visits, STRAIGHTENING / 8)
         }
       }
       measure(bodies, contacts, walls, c)
