@@ -76,6 +76,25 @@ test('chips fall one by one, first come first', async ({ stage }) => {
   ])
 })
 
+test('a chip that changes its look before it is first drawn falls as any other', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const { setTimeout } = window
+    let changed = false
+    // The first chip is released by a timer, and drawn with the next frame.
+    window.setTimeout = ((work: () => void, ms?: number) =>
+      setTimeout(() => {
+        work()
+        const face = document.querySelector('[data-state=running] > * > *')
+        if (changed || !(face instanceof HTMLElement)) return
+        changed = true
+        face.style.borderRadius = '0'
+      }, ms)) as typeof setTimeout
+  })
+  await stage.settled('pile', { chips: 12 })
+  await expect(stage.chips.first()).toHaveCSS('border-radius', '0px')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
 for (const [what, corners, radius] of [
   ['of which one corner is round and three are square', '24px 0 0 0', 0],
   ['whose corners are a share of its size', '20%', 9.6],

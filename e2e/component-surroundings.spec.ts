@@ -138,6 +138,11 @@ test('a chip that is shown on the whole screen keeps its place in the pile', asy
   // The press has woken it.
   await stage.reaches('resting')
   await stage.probe((probe) => probe.states.splice(0))
+  // What fills the screen is pressed there, not in the pile behind.
+  await page.mouse.move(300, 300)
+  await page.mouse.down()
+  await page.mouse.move(200, 200, { steps: 4 })
+  await page.mouse.up()
   await page.evaluate(() => document.exitFullscreen())
   await expect.poll(() => page.evaluate(() => document.fullscreenElement)).toBe(null)
   await page.evaluate(() => window.probe.pass(3))

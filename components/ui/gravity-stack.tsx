@@ -3590,7 +3590,7 @@ const EDITABLE =
   'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
-const ELSEWHERE = 'dialog, [popover]'
+const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
 
 /** What the component was given; whatever a caller wrote. */
 interface StageOptions {
@@ -3837,7 +3837,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
+      chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
       if (moving) sizes.observe(element)
     }
     let waited = false
@@ -4630,7 +4630,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
           data-state="waiting"
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0! [&_:is(dialog,[popover])]:cursor-auto [&_:is(dialog,[popover])]:select-text',
+            'absolute top-0 [left:0] flex w-max max-w-full select-none [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
             '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',

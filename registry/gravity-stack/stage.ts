@@ -41,7 +41,7 @@ const EDITABLE =
   'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
-const ELSEWHERE = 'dialog, [popover]'
+const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
 
 /** What the component was given; whatever a caller wrote. */
 export interface StageOptions {
@@ -288,7 +288,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1, pinch: '' } as Chip)
+      chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
       if (moving) sizes.observe(element)
     }
     let waited = false
