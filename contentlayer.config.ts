@@ -4,6 +4,7 @@ import rehypePrettyCode from 'rehype-pretty-code'
 import rehypeSlug from 'rehype-slug'
 import remarkGfm from 'remark-gfm'
 import { codeTheme } from './lib/code-theme'
+import { rehypeTableNames } from './lib/table-names'
 import { rehypeTypeset, typeset } from './lib/typeset'
 
 export const Doc = defineDocumentType(() => ({
@@ -26,7 +27,7 @@ export const Doc = defineDocumentType(() => ({
 function headings(markdown: string) {
   const slugger = new GithubSlugger()
   const prose = markdown.replace(/^```[\s\S]*?^```/gm, '')
-  return [...prose.matchAll(/^(#{2,4}) (.+)$/gm)].map(([, marks, words]) => {
+  return [...prose.matchAll(/^(#{2,3}) (.+)$/gm)].map(([, marks, words]) => {
     const text = words.replace(/[`*]/g, '').trim()
     return { depth: marks.length, text: typeset(text), id: slugger.slug(text) }
   })
@@ -43,6 +44,7 @@ export default makeSource({
     rehypePlugins: [
       rehypeSlug,
       rehypeTypeset,
+      rehypeTableNames,
       [rehypePrettyCode, { theme: codeTheme, keepBackground: false, grid: false }],
     ],
   },

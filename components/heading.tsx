@@ -1,6 +1,6 @@
 import type { ComponentProps } from 'react'
 
-type Props = ComponentProps<'h2'> & { as: 'h2' | 'h3' | 'h4' }
+type Props = ComponentProps<'h2'> & { as: 'h2' | 'h3' }
 
 /** A heading whose words are a link to itself. */
 export function Heading({ as: Tag, id, className = '', children }: Props) {

@@ -20,7 +20,6 @@ import { ScrollTable } from './scroll-table'
 const components: Record<string, unknown> = {
   h2: (props: ComponentProps<'h2'>) => <Heading as="h2" {...props} />,
   h3: (props: ComponentProps<'h3'>) => <Heading as="h3" {...props} />,
-  h4: (props: ComponentProps<'h4'>) => <Heading as="h4" {...props} />,
   // rehype-pretty-code wraps each block in a figure.
   figure: ({ children, title: _, ...props }: ComponentProps<'figure'>) => (
     <figure
@@ -53,7 +52,9 @@ const components: Record<string, unknown> = {
       {children}
     </code>
   ),
-  table: ({ children }: ComponentProps<'table'>) => <ScrollTable label="Table">{children}</ScrollTable>,
+  table: ({ children, 'aria-label': label = 'Table' }: ComponentProps<'table'>) => (
+    <ScrollTable label={label}>{children}</ScrollTable>
+  ),
   // On a phone the two cells of a row stand one below the other, and their heads would say nothing there.
   thead: (props: ComponentProps<'thead'>) => (
     <thead className="max-sm:not-has-[>tr>:nth-child(3)]:sr-only" {...props} />

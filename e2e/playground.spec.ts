@@ -23,7 +23,7 @@ const colours = (page: Page) =>
     return { ...count, islands: [...islands.values()].filter((pixels) => pixels > 800).length }
   })
 
-test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their impulses', async ({
+test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their forces', async ({
   page,
 }) => {
   // Nothing falls before the first press on Step.

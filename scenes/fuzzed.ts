@@ -25,7 +25,8 @@ export const checks = {
   finite: 'every pose and velocity is a finite number',
   outside: 'no chip is outside the stage by more than 1 px at the end of a frame',
   energy: 'energy never rises above what was put in by more than 0.1 %',
-  recovery: 'chips that start in one another part at no more than 1,000 px/s',
+  recovery:
+    'chips that start in one another part at no more than 1,000 px/s, beyond twice what a fall gives by then',
   asleep: 'all sleep within 6 s of the last landing',
   overlap: 'chips at rest overlap by no more than 0.05 px',
   hanging: 'no chip hangs in the air at rest',

@@ -136,9 +136,17 @@ export function Figure({
   }, [at, last])
 
   return (
-    <div data-slot="figure" className="overflow-hidden rounded-2xl border bg-panel">
+    // Its controls say the same on every figure; the group says of which they are.
+    // biome-ignore lint/a11y/useSemanticElements: a fieldset would need a legend that is seen
+    <div
+      role="group"
+      aria-labelledby={`${id}-picture`}
+      data-slot="figure"
+      className="overflow-hidden rounded-2xl border bg-panel"
+    >
       <canvas
         ref={canvas}
+        id={`${id}-picture`}
         role="img"
         aria-label={label}
         style={{ aspectRatio: `${width} / ${height}` }}
