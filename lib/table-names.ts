@@ -7,7 +7,7 @@ export function rehypeTableNames() {
     let heading = ''
     for (const node of page.children ?? []) {
       if (/^h\d$/.test(node.tagName ?? '')) heading = words(node)
-      if (node.tagName === 'table') node.properties = { ...node.properties, ariaLabel: heading }
+      if (node.tagName === 'table' && heading) node.properties = { ...node.properties, ariaLabel: heading }
     }
   }
 }

@@ -239,7 +239,7 @@ export const hardScenes: HardScene[] = [
     name: 'light-gravity',
     title: 'Forty chips drift down at 100 px/s²',
     ...stage,
-    seconds: 30,
+    seconds: 50,
     conditions: { ...aired, gravity: 100 },
     seeds: 20,
     build: (seed) => pour('mixed', 40, seed),

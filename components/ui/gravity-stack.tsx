@@ -2496,7 +2496,7 @@ function keepInside({ bodies, walls }: Scene, i: number): void {
  */
 function straighten(scene: Scene, list: Int32Array, count: number): boolean {
   const { bodies, contacts, walls } = scene
-  const { awake, awakeCount } = bodies
+  const { awake, awakeCount, shape } = bodies
   let rounds = 0
   for (let visits = STRAIGHTENING; visits > 0; visits -= count) {
     // Walls that have moved are seen all the same.
@@ -2504,10 +2504,10 @@ function straighten(scene: Scene, list: Int32Array, count: number): boolean {
       const c = list[i]
       touch[WIDEST] = MARGIN
       if (contacts.wall[c] > 2) {
-        halfExtents(bodies, contacts.pair[2 * c + 1], 0, 0)
-        if (2 * extents[X] > walls.width + 2) {
-          // What reaches from wall to wall and beyond would be pushed to and fro: the left one alone holds it. It may find
-          // no room at all, and would take as long in every step.
+        const s = contacts.pair[2 * c + 1] * SHAPE
+        if (2 * (Math.max(shape[s + HX], shape[s + HY]) + shape[s + RADIUS]) > walls.width + 2) {
+          // What is longer than the stage is wide would be pushed to and fro: the left wall alone holds it. It may find no
+          // room at all, and would take as long in every step.
           touch[WIDEST] = -Infinity
           visits = Math.min(visits, STRAIGHTENING / 8)
         }
