@@ -1405,7 +1405,7 @@ class Pairs {
   /** Bodies by the left edge of their box. */
   order: Int32Array = new Int32Array(1)
   sorted = 0
-  /** 1 for a body that left its box in this step. */
+  /** 1 for a body that left its box in this step, or was kept back at its end. */
   moved: Uint8Array = new Uint8Array(1)
   /** Last body for which this one was marked as a partner. */
   partner: Int32Array = new Int32Array(1)
@@ -1461,6 +1461,7 @@ function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs):
   let any = false
   for (let a = 0; a < count; a++) {
     const i = awake[a]
+    moved[i] = 0
     if (!outgrown(bodies, pairs, gravity, i)) continue
     moved[i] = 1
     any = true
@@ -1533,7 +1534,8 @@ function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs):
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
  * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
  */
-function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): void {
+function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
   const { box, order, partner } = pairs
   const { state } = bodies
   const k = i * 4
@@ -1570,6 +1572,34 @@ function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): void {
   state[i * STATE + X] = backX + share * goX
   state[i * STATE + Y] = backY + share * goY
   markPartners(partner, contacts, i, 0)
+  if (share < 1) keepBehind(scene, pairs, i)
+}
+
+/** Body `i` was kept in its box: what has come into it from behind goes back, each body once a step, and no further than it came. */
+function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
+  const { asleep, before, shape, state } = bodies
+  pairs.moved[i] = 1
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const j = contacts.pair[edge ^ 1]
+    if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
+    touch[WIDEST] = 0
+    collide(bodies, i, j)
+    let came = 0
+    for (let axis = 0; axis < 3; axis++) {
+      const goI = state[i * STATE + axis] - before[i * 3 + axis]
+      const goJ = state[j * STATE + axis] - before[j * 3 + axis]
+      came +=
+        axis === ANGLE
+          ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
+          : touch[NORMAL_X + axis] * (goI - goJ)
+    }
+    const back = Math.min(came, -touch[DISTANCE])
+    if (!(back > 0)) continue
+    state[j * STATE + X] += back * touch[NORMAL_X]
+    state[j * STATE + Y] += back * touch[NORMAL_Y]
+    keepBehind(scene, pairs, j)
+  }
 }
 
 /** Marks all that body `i` has a contact with, or takes the marks away. */
@@ -2921,10 +2951,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
-  for (let n = b0; n < b1; n++) {
-    keepInBox(simulation, pairs, islands.bodies[n])
-    keepInside(simulation, islands.bodies[n])
-  }
+  for (let n = b0; n < b1; n++) keepInBox(simulation, pairs, islands.bodies[n])
+  for (let n = b0; n < b1; n++) keepInside(simulation, islands.bodies[n])
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 

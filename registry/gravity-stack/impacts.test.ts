@@ -412,6 +412,31 @@ it('a chip thrown into a row sets off one after the other and none goes into the
   }
 })
 
+it('a card thrown at a chip with another behind it goes into neither, and what flies close behind the card not into that', () => {
+  const card = { width: 240, height: 160, radius: 8, y: 400, angle: 0 }
+  const pill = { width: 60, height: 36, radius: 18, y: 400, angle: 0 }
+  const wide = { width: 3000, height: 800 }
+  for (const vx of [1800, 3000]) {
+    for (let gap = 1; gap < 40; gap += 3) {
+      for (const short of [0.5, 7, 22]) {
+        const x = 800 + 150 + short
+        const pills = [
+          { ...pill, x },
+          { ...pill, x: x + 60 + gap },
+        ]
+        const chips = [{ ...card, x: 559, vx }, { ...card, x: 800, vx }, ...pills]
+        const { world, ids } = worldOf(chips, { ...wide, gravity: 0 })
+        let most = 0
+        for (let k = 0; k < 8; k++) {
+          world.step(frame)
+          most = Math.max(most, overlap(world, ids, chips, wide))
+        }
+        expect(most, `${gap} px behind, at ${vx} px/s`).toBeLessThan(0.5)
+      }
+    }
+  }
+})
+
 it('a large card that lands on a small one goes 0.3 px into it at most, however it comes', () => {
   const small = { width: 24, height: 24, radius: 6, x: 320, y: stage.height - 12, angle: 0 }
   for (let drop = 0; drop <= 120; drop += 15) {

@@ -195,10 +195,8 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
-  for (let n = b0; n < b1; n++) {
-    keepInBox(simulation, pairs, islands.bodies[n])
-    keepInside(simulation, islands.bodies[n])
-  }
+  for (let n = b0; n < b1; n++) keepInBox(simulation, pairs, islands.bodies[n])
+  for (let n = b0; n < b1; n++) keepInside(simulation, islands.bodies[n])
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 
