@@ -74,6 +74,29 @@ test('beside a disc, in the corner of its box, nothing is pressed', async ({ sta
   }
 })
 
+test('a link that the page scrolled away with, from under the button that is down on it, is dragged and not followed', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('controls')
+  await page.evaluate(() => {
+    document.body.style.minHeight = '200vh'
+    scrollTo(0, 60)
+  })
+  const { x, y } = await stage.centre(stage.chip('Read the docs'))
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  // The chip is lifted: pressed into the floor it would not stay under the pointer.
+  await page.mouse.wheel(0, -40)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(20)
+  await stage.hangs(stage.chip('Read the docs'))
+  await page.mouse.up()
+  await stage.reaches('resting')
+  await expect(page).not.toHaveURL(/#link$/)
+  await page.getByText('Read the docs').click()
+  await expect(page).toHaveURL(/#link$/)
+})
+
 test('a drag of a link is a click to nobody around the stage', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'capturing' })
   await stage.drag(stage.chip('there'), 60, -60)

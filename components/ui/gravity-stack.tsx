@@ -997,6 +997,8 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   const samples = hold.samples
   // A clock that goes back begins anew.
   if (samples.length > 0 && samples[samples.length - 1]!.seconds > seconds) samples.length = 0
+  // One that is too coarse to tell two moves apart tells of the later.
+  if (samples.length > 0 && samples[samples.length - 1]!.seconds === seconds) samples.pop()
   samples.push({ x, y, seconds })
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
@@ -3669,7 +3671,10 @@ interface Press {
   down: PointerEvent
   /** Its last event. */
   at: PointerEvent
-  toStage: (event: PointerEvent) => DOMPoint
+  toStage: DOMMatrix
+  /** The pointer on the stage's bounding box, client px, and where it went down on that: a page may scroll under it. */
+  on: { x: number; y: number }
+  from?: { x: number; y: number }
   /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
@@ -3745,7 +3750,7 @@ function hearing({ signal }: AbortController) {
     target.addEventListener(type, handler as EventListener, { signal, ...more })
 }
 
-/** From a pointer to the stage's own px, through whatever scales, turns or skews its ancestors: three points tell. */
+/** From the stage's bounding box to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('i'))
@@ -3756,14 +3761,9 @@ function pointerMap(root: HTMLElement) {
   const box = root.getBoundingClientRect()
   const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
   for (const probe of probes) probe.remove()
-  const map = new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
     .scale(0.001)
     .inverse()
-  return ({ clientX, clientY }: MouseEvent) => {
-    // A page that scrolls moves the whole stage by as much as its bounding box.
-    const { x, y } = root.getBoundingClientRect()
-    return map.transformPoint({ x: clientX - x, y: clientY - y })
-  }
 }
 
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
@@ -4308,7 +4308,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function track(press: Press, event: PointerEvent) {
-    const { x, y } = press.toStage(event)
+    // A page that scrolls moves the whole stage by as much as its bounding box.
+    const box = root.getBoundingClientRect()
+    press.on = { x: event.clientX - box.x, y: event.clientY - box.y }
+    press.from ??= press.on
+    const { x, y } = press.toStage.transformPoint(press.on)
     press.at = event
     press.x = x
     press.y = y
@@ -4347,8 +4351,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // Its release was lost: to a menu of the system, an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
-    const dx = event.clientX - press.down.clientX
-    const dy = event.clientY - press.down.clientY
+    const dx = press.on.x - press.from!.x
+    const dy = press.on.y - press.from!.y
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)

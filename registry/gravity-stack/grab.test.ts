@@ -260,6 +260,18 @@ describe('a chip let go', () => {
     }
   })
 
+  it('is that of the pointer under a clock too coarse to tell its moves apart, and no more is kept than it tells', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 120, y: 100 }])
+    const grab = world.grab(ids[0], 120, 100)
+    for (let k = 0; k < 24; k++) {
+      for (let n = 1; n <= 20; n++) grab.moveTo(120 + 8 * (k + n / 20), 100, k * frame)
+      world.step(frame)
+    }
+    expect(world.scene.holds[0].samples.length).toBeLessThan(8)
+    grab.release()
+    expect(world.read(ids[0]).vx).toBeCloseTo(480, 6)
+  })
+
   it('swings on as it did when a hand that stands still lets go of it', () => {
     for (const seconds of [0.2, 0.4, 1, 2]) {
       const { world, ids } = worldOf([{ ...pill, width: 200, height: 24, radius: 12, x: 320, y: 100 }])
