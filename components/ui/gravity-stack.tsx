@@ -1395,225 +1395,6 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
   )
 }
 
-// pairs: which pairs may touch (broad phase) ────────────────────────────────────────────────────────────────
-
-/**
- * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
- * leaves its box; at rest that is never.
- */
-class Pairs {
-  /** Left, top, right, bottom of each body's enlarged box, px. */
-  box: Float64Array = new Float64Array(4)
-  /** Bodies by the left edge of their box. */
-  order: Int32Array = new Int32Array(1)
-  sorted = 0
-  /** 1 for a body that left its box in this step, or was kept back at its end. */
-  moved: Uint8Array = new Uint8Array(1)
-  /** Last body for which this one was marked as a partner. */
-  partner: Int32Array = new Int32Array(1)
-  /** Contact with each wall (floor, left, right) of each body, -1 without. */
-  wallContact: Int32Array = new Int32Array(3)
-}
-
-/** Makes body `i` known to the broad phase; its box is made in the next `updatePairs`. */
-function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
-  contacts.head[i] = -1
-  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
-  pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
-  pairs.order[pairs.sorted++] = i
-}
-
-function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
-  const at = pairs.order.indexOf(i)
-  pairs.order.copyWithin(at, at + 1, pairs.sorted--)
-  while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
-}
-
-/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
-function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
-  const { state, shape } = bodies
-  const s = i * STATE
-  // A chip that spins reaches further before the step is over.
-  halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
-  const ex = extents[X]
-  const ey = extents[Y]
-  const goX = state[s + VX] * STEP
-  const goY = state[s + VY] * STEP
-  const fall = 0.5 * gravity * STEP * STEP
-  const left = state[s + X] - ex + Math.min(goX, 0)
-  const right = state[s + X] + ex + Math.max(goX, 0)
-  const top = state[s + Y] - ey + Math.min(goY, goY + fall, 0)
-  const bottom = state[s + Y] + ey + Math.max(goY, goY + fall, 0)
-  const box = pairs.box
-  const k = i * 4
-  if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
-  // What it hits on the way may turn it aside.
-  const skin = SKIN + SKIN_SHARE * (Math.abs(goX) + Math.abs(goY))
-  box[k] = left - skin + Math.min(goX, 0)
-  box[k + 1] = top - skin + Math.min(goY, 0)
-  box[k + 2] = right + skin + Math.max(goX, 0)
-  box[k + 3] = bottom + skin + Math.max(goY, 0)
-  return true
-}
-
-/** Brings the pair list up to date with the boxes of the bodies that are awake. */
-function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs): void {
-  const { awake, awakeCount: count } = bodies
-  const { box, order, moved, partner, wallContact } = pairs
-  let any = false
-  for (let a = 0; a < count; a++) {
-    const i = awake[a]
-    moved[i] = 0
-    if (!outgrown(bodies, pairs, gravity, i)) continue
-    moved[i] = 1
-    any = true
-    const k = i * 4
-    for (let w = 0; w < 3; w++) {
-      const near =
-        w === 0
-          ? box[k + 3] > walls.height - WALL_SKIN
-          : w === 1
-            ? box[k] < WALL_SKIN
-            : box[k + 2] > walls.width - WALL_SKIN
-      const have = wallContact[i * 3 + w]
-      if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
-      else if (!near && have >= 0) {
-        removeContact(contacts, have)
-        wallContact[i * 3 + w] = -1
-      }
-    }
-  }
-  if (!any) return
-
-  // Pairs whose boxes have parted.
-  for (let a = 0; a < count; a++) {
-    const i = awake[a]
-    if (moved[i] === 0) continue
-    let edge = contacts.head[i]
-    while (edge >= 0) {
-      const after = contacts.next[edge]
-      const j = contacts.pair[edge ^ 1]
-      if (j > 0 && !overlap(box, i * 4, j * 4)) removeContact(contacts, edge >> 1)
-      edge = after
-    }
-  }
-
-  // Insertion sort: the order hardly changes from one step to the next.
-  const n = pairs.sorted
-  for (let a = 1; a < n; a++) {
-    const i = order[a]
-    const left = box[i * 4]
-    let b = a - 1
-    while (b >= 0 && box[order[b] * 4] > left) {
-      order[b + 1] = order[b]
-      b--
-    }
-    order[b + 1] = i
-  }
-  for (let a = 0; a < n; a++) {
-    const i = order[a]
-    const right = box[i * 4 + 2]
-    const movedI = moved[i]
-    let marked = false
-    for (let b = a + 1; b < n; b++) {
-      const j = order[b]
-      if (box[j * 4] > right) break
-      if (movedI === 0 && moved[j] === 0) continue
-      if (box[i * 4 + 1] > box[j * 4 + 3] || box[j * 4 + 1] > box[i * 4 + 3]) continue
-      if (!marked) {
-        marked = true
-        markPartners(partner, contacts, i, i)
-      }
-      if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
-    }
-    // The marks of one body must not outlive it.
-    if (marked) markPartners(partner, contacts, i, 0)
-  }
-  for (let a = 0; a < count; a++) moved[awake[a]] = 0
-}
-
-/**
- * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
- * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
- */
-function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
-  const { bodies, contacts } = scene
-  const { box, order, partner } = pairs
-  const { state } = bodies
-  const k = i * 4
-  halfExtents(bodies, i, 0, 0)
-  const ex = extents[X]
-  const ey = extents[Y]
-  const x = state[i * STATE + X]
-  const y = state[i * STATE + Y]
-  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
-  const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
-  const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
-  state[i * STATE + X] = backX
-  state[i * STATE + Y] = backY
-  const goX = x - backX
-  const goY = y - backY
-  let share = 1
-  touch[WIDEST] = Infinity
-  markPartners(partner, contacts, i, i)
-  for (let b = 0; b < pairs.sorted; b++) {
-    const j = order[b]
-    if (j === i || partner[j] === i) continue
-    halfExtents(bodies, j, 0, 0)
-    const otherX = state[j * STATE + X]
-    const otherY = state[j * STATE + Y]
-    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
-      continue
-    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
-      continue
-    // As far as the line between the two lets it go, which is never into it.
-    collide(bodies, i, j)
-    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
-    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
-  }
-  state[i * STATE + X] = backX + share * goX
-  state[i * STATE + Y] = backY + share * goY
-  markPartners(partner, contacts, i, 0)
-  if (share < 1) keepBehind(scene, pairs, i)
-}
-
-/** Body `i` was kept in its box: what has come into it from behind goes back, each body once a step, and no further than it came. */
-function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
-  const { bodies, contacts } = scene
-  const { asleep, before, shape, state } = bodies
-  pairs.moved[i] = 1
-  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
-    const j = contacts.pair[edge ^ 1]
-    if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
-    touch[WIDEST] = 0
-    collide(bodies, i, j)
-    let came = 0
-    for (let axis = 0; axis < 3; axis++) {
-      const goI = state[i * STATE + axis] - before[i * 3 + axis]
-      const goJ = state[j * STATE + axis] - before[j * 3 + axis]
-      came +=
-        axis === ANGLE
-          ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
-          : touch[NORMAL_X + axis] * (goI - goJ)
-    }
-    const back = Math.min(came, -touch[DISTANCE])
-    if (!(back > 0)) continue
-    state[j * STATE + X] += back * touch[NORMAL_X]
-    state[j * STATE + Y] += back * touch[NORMAL_Y]
-    keepBehind(scene, pairs, j)
-  }
-}
-
-/** Marks all that body `i` has a contact with, or takes the marks away. */
-function markPartners(partner: Int32Array, contacts: Contacts, i: number, mark: number): void {
-  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-    partner[contacts.pair[edge ^ 1]] = mark
-}
-
-function overlap(box: Float64Array, i: number, j: number): boolean {
-  return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
-}
-
 // impacts: bounces, at their time inside the step ───────────────────────────────────────────────────────────
 
 /**
@@ -2508,18 +2289,19 @@ function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void
   state[state[a] < state[b] ? a : b] -= MAX_PUSH
 }
 
-/** Walls give way to nothing: a chip that others have pressed into one is put back, whatever that does to the others. */
-function keepInside({ bodies, walls }: Scene, i: number): void {
+/** Walls give way to nothing: a chip that others have pressed into one is put back. Returns whether it was far enough in to have been struck into it. */
+function keepInside({ bodies, walls }: Scene, i: number): boolean {
   const { state, shape } = bodies
   const s = i * STATE
   const far = shape[i * SHAPE + EXTENT]
   const atX = state[s + X]
   const atY = state[s + Y]
-  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return false
   halfExtents(bodies, i, WALL_GIVE, 0)
   const ex = extents[X]
   state[s + X] = Math.min(Math.max(atX, ex), Math.max(ex, farWall(shape, i, walls.width) - ex))
   state[s + Y] = Math.min(atY, walls.height - extents[Y])
+  return Math.abs(state[s + X] - atX) + Math.abs(state[s + Y] - atY) > MARGIN
 }
 
 /**
@@ -2555,6 +2337,226 @@ function straighten(scene: Scene, list: Int32Array, count: number): boolean {
     rounds++
   }
   return rounds > 0
+}
+
+// pairs: which pairs may touch (broad phase) ────────────────────────────────────────────────────────────────
+
+/**
+ * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
+ * leaves its box; at rest that is never.
+ */
+class Pairs {
+  /** Left, top, right, bottom of each body's enlarged box, px. */
+  box: Float64Array = new Float64Array(4)
+  /** Bodies by the left edge of their box. */
+  order: Int32Array = new Int32Array(1)
+  sorted = 0
+  /** 1 for a body that left its box in this step, or was kept back at its end. */
+  moved: Uint8Array = new Uint8Array(1)
+  /** Last body for which this one was marked as a partner. */
+  partner: Int32Array = new Int32Array(1)
+  /** Contact with each wall (floor, left, right) of each body, -1 without. */
+  wallContact: Int32Array = new Int32Array(3)
+}
+
+/** Makes body `i` known to the broad phase; its box is made in the next `updatePairs`. */
+function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
+  contacts.head[i] = -1
+  pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
+  pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
+  pairs.order[pairs.sorted++] = i
+}
+
+function leavePairs(pairs: Pairs, contacts: Contacts, i: number): void {
+  const at = pairs.order.indexOf(i)
+  pairs.order.copyWithin(at, at + 1, pairs.sorted--)
+  while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
+}
+
+/** Whether body `i` will leave its box within the step; if so the box is made anew around the way ahead. */
+function outgrown(bodies: Bodies, pairs: Pairs, gravity: number, i: number): boolean {
+  const { state, shape } = bodies
+  const s = i * STATE
+  // A chip that spins reaches further before the step is over.
+  halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  const ex = extents[X]
+  const ey = extents[Y]
+  const goX = state[s + VX] * STEP
+  const goY = state[s + VY] * STEP
+  const fall = 0.5 * gravity * STEP * STEP
+  const left = state[s + X] - ex + Math.min(goX, 0)
+  const right = state[s + X] + ex + Math.max(goX, 0)
+  const top = state[s + Y] - ey + Math.min(goY, goY + fall, 0)
+  const bottom = state[s + Y] + ey + Math.max(goY, goY + fall, 0)
+  const box = pairs.box
+  const k = i * 4
+  if (left >= box[k] && top >= box[k + 1] && right <= box[k + 2] && bottom <= box[k + 3]) return false
+  // What it hits on the way may turn it aside.
+  const skin = SKIN + SKIN_SHARE * (Math.abs(goX) + Math.abs(goY))
+  box[k] = left - skin + Math.min(goX, 0)
+  box[k + 1] = top - skin + Math.min(goY, 0)
+  box[k + 2] = right + skin + Math.max(goX, 0)
+  box[k + 3] = bottom + skin + Math.max(goY, 0)
+  return true
+}
+
+/** Brings the pair list up to date with the boxes of the bodies that are awake. */
+function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs): void {
+  const { awake, awakeCount: count } = bodies
+  const { box, order, moved, partner, wallContact } = pairs
+  let any = false
+  for (let a = 0; a < count; a++) {
+    const i = awake[a]
+    moved[i] = 0
+    if (!outgrown(bodies, pairs, gravity, i)) continue
+    moved[i] = 1
+    any = true
+    const k = i * 4
+    for (let w = 0; w < 3; w++) {
+      const near =
+        w === 0
+          ? box[k + 3] > walls.height - WALL_SKIN
+          : w === 1
+            ? box[k] < WALL_SKIN
+            : box[k + 2] > walls.width - WALL_SKIN
+      const have = wallContact[i * 3 + w]
+      if (near && have < 0) wallContact[i * 3 + w] = addContact(contacts, 0, i, w + 1)
+      else if (!near && have >= 0) {
+        removeContact(contacts, have)
+        wallContact[i * 3 + w] = -1
+      }
+    }
+  }
+  if (!any) return
+
+  // Pairs whose boxes have parted.
+  for (let a = 0; a < count; a++) {
+    const i = awake[a]
+    if (moved[i] === 0) continue
+    let edge = contacts.head[i]
+    while (edge >= 0) {
+      const after = contacts.next[edge]
+      const j = contacts.pair[edge ^ 1]
+      if (j > 0 && !overlap(box, i * 4, j * 4)) removeContact(contacts, edge >> 1)
+      edge = after
+    }
+  }
+
+  // Insertion sort: the order hardly changes from one step to the next.
+  const n = pairs.sorted
+  for (let a = 1; a < n; a++) {
+    const i = order[a]
+    const left = box[i * 4]
+    let b = a - 1
+    while (b >= 0 && box[order[b] * 4] > left) {
+      order[b + 1] = order[b]
+      b--
+    }
+    order[b + 1] = i
+  }
+  for (let a = 0; a < n; a++) {
+    const i = order[a]
+    const right = box[i * 4 + 2]
+    const movedI = moved[i]
+    let marked = false
+    for (let b = a + 1; b < n; b++) {
+      const j = order[b]
+      if (box[j * 4] > right) break
+      if (movedI === 0 && moved[j] === 0) continue
+      if (box[i * 4 + 1] > box[j * 4 + 3] || box[j * 4 + 1] > box[i * 4 + 3]) continue
+      if (!marked) {
+        marked = true
+        markPartners(partner, contacts, i, i)
+      }
+      if (partner[j] !== i) addContact(contacts, Math.min(i, j), Math.max(i, j), 0)
+    }
+    // The marks of one body must not outlive it.
+    if (marked) markPartners(partner, contacts, i, 0)
+  }
+  for (let a = 0; a < count; a++) moved[awake[a]] = 0
+}
+
+/**
+ * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
+ */
+function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
+  const { box, order, partner } = pairs
+  const { state } = bodies
+  const k = i * 4
+  halfExtents(bodies, i, 0, 0)
+  const ex = extents[X]
+  const ey = extents[Y]
+  const x = state[i * STATE + X]
+  const y = state[i * STATE + Y]
+  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
+  const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
+  const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  state[i * STATE + X] = backX
+  state[i * STATE + Y] = backY
+  const goX = x - backX
+  const goY = y - backY
+  let share = 1
+  touch[WIDEST] = Infinity
+  markPartners(partner, contacts, i, i)
+  for (let b = 0; b < pairs.sorted; b++) {
+    const j = order[b]
+    if (j === i || partner[j] === i) continue
+    halfExtents(bodies, j, 0, 0)
+    const otherX = state[j * STATE + X]
+    const otherY = state[j * STATE + Y]
+    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
+      continue
+    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
+      continue
+    // As far as the line between the two lets it go, which is never into it.
+    collide(bodies, i, j)
+    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
+    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
+  }
+  state[i * STATE + X] = backX + share * goX
+  state[i * STATE + Y] = backY + share * goY
+  markPartners(partner, contacts, i, 0)
+  if (share < 1) keepBehind(scene, pairs, i)
+}
+
+/** Body `i` was kept in its box, or in the stage: what has come into it from behind goes back, each body once a step, and no further than it came. */
+function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
+  const { asleep, before, shape, state } = bodies
+  pairs.moved[i] = 1
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
+    const j = contacts.pair[edge ^ 1]
+    if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
+    touch[WIDEST] = 0
+    collide(bodies, i, j)
+    let came = 0
+    for (let axis = 0; axis < 3; axis++) {
+      const goI = state[i * STATE + axis] - before[i * 3 + axis]
+      const goJ = state[j * STATE + axis] - before[j * 3 + axis]
+      came +=
+        axis === ANGLE
+          ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
+          : touch[NORMAL_X + axis] * (goI - goJ)
+    }
+    const back = Math.min(came, -touch[DISTANCE])
+    if (!(back > 0)) continue
+    state[j * STATE + X] += back * touch[NORMAL_X]
+    state[j * STATE + Y] += back * touch[NORMAL_Y]
+    keepInside(scene, j)
+    keepBehind(scene, pairs, j)
+  }
+}
+
+/** Marks all that body `i` has a contact with, or takes the marks away. */
+function markPartners(partner: Int32Array, contacts: Contacts, i: number, mark: number): void {
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+    partner[contacts.pair[edge ^ 1]] = mark
+}
+
+function overlap(box: Float64Array, i: number, j: number): boolean {
+  return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
 }
 
 // islands: who rests with whom ──────────────────────────────────────────────────────────────────────────────
@@ -2954,7 +2956,9 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
   for (let n = b0; n < b1; n++) keepInBox(simulation, pairs, islands.bodies[n])
-  for (let n = b0; n < b1; n++) keepInside(simulation, islands.bodies[n])
+  for (let n = b0; n < b1; n++)
+    if (keepInside(simulation, islands.bodies[n]) && simulation.lively)
+      keepBehind(simulation, pairs, islands.bodies[n])
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 

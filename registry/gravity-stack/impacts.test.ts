@@ -450,6 +450,27 @@ it('a large card that lands on a small one goes 0.3 px into it at most, however 
   }
 })
 
+it('a card that strikes a flat chip into the floor at 2400 px/s goes 4 px into it at most', () => {
+  const tall = { width: 640, height: 700 }
+  for (const vx of [-600, 0, 600]) {
+    for (const above of [4, 8, 14, 20]) {
+      for (const short of [1, 14, 27]) {
+        const chip = { width: 120, height: 18, radius: 6, x: 320, y: 700 - 9 - above, angle: 0 }
+        // Half as high as it stands on a corner.
+        const high = 160 * Math.sin(1) + 115 * Math.cos(1)
+        const card = { width: 320, height: 230, radius: 10, angle: -1, vx, vy: 2400 }
+        const chips = [chip, { ...card, x: 320, y: chip.y - 9 - high - short }]
+        const { world, ids } = worldOf(chips, tall)
+        for (let k = 0; k < 20; k++) {
+          world.step(frame)
+          const deep = overlap(world, ids, chips, tall)
+          expect(deep, `${above} px above the floor, ${short} px below the card`).toBeLessThan(4)
+        }
+      }
+    }
+  }
+})
+
 it('a chip that falls ever faster meets the floor in the step that takes it there', () => {
   // Each starts a little higher: some come down to where their speed alone would just not take them.
   for (let from = 0; from < 40; from++) {

@@ -2,6 +2,7 @@ import { ANGLE, type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX,
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
+import { keepInside } from './solver'
 
 /**
  * Broad phase: boxes larger than the chips by a skin and the way ahead, sorted along x. Nothing is done until a chip
@@ -183,8 +184,8 @@ export function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
   if (share < 1) keepBehind(scene, pairs, i)
 }
 
-/** Body `i` was kept in its box: what has come into it from behind goes back, each body once a step, and no further than it came. */
-function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
+/** Body `i` was kept in its box, or in the stage: what has come into it from behind goes back, each body once a step, and no further than it came. */
+export function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
   const { bodies, contacts } = scene
   const { asleep, before, shape, state } = bodies
   pairs.moved[i] = 1
@@ -206,6 +207,7 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
     if (!(back > 0)) continue
     state[j * STATE + X] += back * touch[NORMAL_X]
     state[j * STATE + Y] += back * touch[NORMAL_Y]
+    keepInside(scene, j)
     keepBehind(scene, pairs, j)
   }
 }

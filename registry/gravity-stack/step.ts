@@ -73,7 +73,7 @@ import {
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, furthest, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
-import { keepInBox, Pairs, updatePairs } from './pairs'
+import { keepBehind, keepInBox, Pairs, updatePairs } from './pairs'
 import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
 
 /**
@@ -196,7 +196,9 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
   for (let n = b0; n < b1; n++) keepInBox(simulation, pairs, islands.bodies[n])
-  for (let n = b0; n < b1; n++) keepInside(simulation, islands.bodies[n])
+  for (let n = b0; n < b1; n++)
+    if (keepInside(simulation, islands.bodies[n]) && simulation.lively)
+      keepBehind(simulation, pairs, islands.bodies[n])
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 
