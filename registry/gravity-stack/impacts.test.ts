@@ -450,6 +450,65 @@ it('a large card that lands on a small one goes 0.3 px into it at most, however 
   }
 })
 
+it('a chip thrown at a row is stopped by it, and passes through none of its chips', () => {
+  const long = { width: 2000, height: 300 }
+  const rows = [
+    { width: 60, height: 80, radius: 0, angle: 0, into: 8, vx: 1800 },
+    { width: 120, height: 28, radius: 14, angle: 0, into: 28, vx: 3600 },
+  ]
+  for (const { into, vx, ...thrown } of rows) {
+    for (let gap = 8; gap < 28; gap += 1.7) {
+      for (const x of [100, 113, 131, 148]) {
+        const y = 300 - thrown.height / 2
+        const radius = Math.min(thrown.radius, into / 2)
+        const row = [0, 1, 2, 3, 4].map((n) => ({
+          ...thrown,
+          width: into,
+          radius,
+          x: 320 + n * (into + gap),
+          y,
+        }))
+        const chips = [{ ...thrown, x, y: y - 3, vx }, ...row]
+        const { world, ids } = worldOf(chips, long)
+        for (let k = 0; k < 18; k++) {
+          world.step(frame)
+          expect(overlap(world, ids, chips, long), `${into} px wide, ${gap} px apart`).toBeLessThan(1.2)
+        }
+      }
+    }
+  }
+})
+
+/** Bars, plates, specks and chips, one above the other. */
+function oddPour(seed: number) {
+  const r = seeded(seed * 97)
+  const pick = (values: number[]) => values[Math.floor(values.length * r())]
+  const options = { friction: pick([0.4, 0.4, 0.2, 1]), bounce: pick([0.18, 0, 0.4]) }
+  let top = 320
+  const chips: Chip[] = Array.from({ length: 5 + Math.floor(25 * r()) }, () => {
+    const kind = r()
+    const width = kind < 0.2 ? 2 + 6 * r() : kind < 0.4 ? 100 + 200 * r() : 10 + 80 * r()
+    const height = kind < 0.4 && r() < 0.5 ? 1 + 3 * r() : kind < 0.2 ? 2 + 6 * r() : 8 + 50 * r()
+    const reach = Math.hypot(width, height) / 2
+    top -= 2 * reach + 2
+    const radius = Math.min(pick([0, 1000, 3]), width / 2, height / 2)
+    return { width, height, radius, x: reach + (640 - 2 * reach) * r(), y: top + reach, angle: 6.3 * r() }
+  })
+  return { chips, options }
+}
+
+it.each([177, 38])(
+  'a bar struck into a spin is not put back behind what it has bounced off: pour %i',
+  (seed) => {
+    const { chips, options } = oddPour(seed)
+    const { world, ids } = worldOf(chips, options)
+    for (let k = 0; k < 120; k++) {
+      world.step(frame)
+      expect(overlap(world, ids, chips), `frame ${k}`).toBeLessThan(3)
+    }
+  },
+)
+
 it('a card that strikes a flat chip into the floor at 2400 px/s goes 4 px into it at most', () => {
   const tall = { width: 640, height: 700 }
   for (const vx of [-600, 0, 600]) {

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { halfExtent } from '../../scenes/exact-distance'
 import { hardScenes } from '../../scenes/hard'
+import { pourChips, pourStage } from '../../scenes/piles'
 import { frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { overlap, readAll, run, settle, stage, worldOf } from './testing'
@@ -128,6 +129,23 @@ describe('a pile falls asleep', () => {
   it('even a chip that fits between the walls at no turn', () => {
     const { world } = worldOf([{ width: 700, height: 660, x: 320, y: 0, angle: 0.1 }])
     expect(settle(world, 600)).toBeLessThan(600)
+  })
+
+  it('by and by and not at a stroke, though its chips bounce: nothing takes a slow pile’s speed in one step', () => {
+    for (let seed = 1; seed <= 12; seed++) {
+      const { world, ids } = worldOf(pourChips('mixed', 60, seed), { ...pourStage(60), bounce: 0.5 })
+      let before = readAll(world, ids)
+      for (let k = 0; k < 400 && !world.resting; k++) {
+        world.step(frame)
+        const after = readAll(world, ids)
+        const awake = ids.map((_, i) => i).filter((i) => !before[i].asleep && !after[i].asleep)
+        const speeds = (of: typeof after) => awake.map((i) => Math.hypot(of[i].vx, of[i].vy))
+        const sum = (of: typeof after) => speeds(of).reduce((all, speed) => all + speed, 0)
+        if (awake.length > 5 && Math.max(...speeds(before)) < 100 && sum(before) > 20)
+          expect(sum(after) / sum(before), `pour ${seed}, frame ${k}`).toBeGreaterThan(0.1)
+        before = after
+      }
+    }
   })
 
   it('and stays awake with sleep switched off', () => {

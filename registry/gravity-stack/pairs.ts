@@ -1,6 +1,6 @@
 import { ANGLE, type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
-import { SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
+import { MARGIN, SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
 import { keepInside } from './solver'
 
@@ -139,23 +139,39 @@ export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: 
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
 }
 
+/** At the end of a step body `i` goes no farther than it may, and what has come into it from behind stays behind it. */
+export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
+  const { state } = scene.bodies
+  const x = state[i * STATE + X]
+  const y = state[i * STATE + Y]
+  const stopped = keepInBox(scene, pairs, i)
+  keepInside(scene, i)
+  const dx = state[i * STATE + X] - x
+  const dy = state[i * STATE + Y] - y
+  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
+  if (stopped || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
+}
+
 /**
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
- * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come.
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. Returns whether
+ * it was stopped.
  */
-export function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
-  const { bodies, contacts } = scene
+function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): boolean {
   const { box, order, partner } = pairs
-  const { state } = bodies
+  const { before, state } = bodies
   const k = i * 4
   halfExtents(bodies, i, 0, 0)
   const ex = extents[X]
   const ey = extents[Y]
   const x = state[i * STATE + X]
   const y = state[i * STATE + Y]
-  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return
-  const backX = Math.max(Math.min(x, box[k + 2] - ex), box[k] + ex)
-  const backY = Math.max(Math.min(y, box[k + 3] - ey), box[k + 1] + ey)
+  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return false
+  // Turned meanwhile it may reach over the edge where it came from: behind that there is what it has bounced off.
+  const fromX = before[i * 3]
+  const fromY = before[i * 3 + 1]
+  const backX = Math.max(Math.min(x, Math.max(box[k + 2] - ex, fromX)), Math.min(box[k] + ex, fromX))
+  const backY = Math.max(Math.min(y, Math.max(box[k + 3] - ey, fromY)), Math.min(box[k + 1] + ey, fromY))
   state[i * STATE + X] = backX
   state[i * STATE + Y] = backY
   const goX = x - backX
@@ -181,34 +197,44 @@ export function keepInBox(scene: Scene, pairs: Pairs, i: number): void {
   state[i * STATE + X] = backX + share * goX
   state[i * STATE + Y] = backY + share * goY
   markPartners(partner, contacts, i, 0)
-  if (share < 1) keepBehind(scene, pairs, i)
+  return share < 1
 }
 
-/** Body `i` was kept in its box, or in the stage: what has come into it from behind goes back, each body once a step, and no further than it came. */
-export function keepBehind(scene: Scene, pairs: Pairs, i: number): void {
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
+function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
   const { asleep, before, shape, state } = bodies
+  const s = i * STATE
   pairs.moved[i] = 1
+  touch[WIDEST] = Infinity
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const j = contacts.pair[edge ^ 1]
     if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
-    touch[WIDEST] = 0
+    // Which side it came from shows where `i` had got to: put back, that may be past its middle.
+    state[s + X] -= dx
+    state[s + Y] -= dy
     collide(bodies, i, j)
+    state[s + X] += dx
+    state[s + Y] += dy
+    let back = touch[NORMAL_X] * dx + touch[NORMAL_Y] * dy - touch[DISTANCE]
     let came = 0
     for (let axis = 0; axis < 3; axis++) {
-      const goI = state[i * STATE + axis] - before[i * 3 + axis]
+      const goI = state[s + axis] - before[i * 3 + axis]
       const goJ = state[j * STATE + axis] - before[j * 3 + axis]
       came +=
         axis === ANGLE
           ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
           : touch[NORMAL_X + axis] * (goI - goJ)
     }
-    const back = Math.min(came, -touch[DISTANCE])
+    back = Math.min(came, back)
     if (!(back > 0)) continue
+    const x = state[j * STATE + X]
+    const y = state[j * STATE + Y]
     state[j * STATE + X] += back * touch[NORMAL_X]
     state[j * STATE + Y] += back * touch[NORMAL_Y]
     keepInside(scene, j)
-    keepBehind(scene, pairs, j)
+    keepBehind(scene, pairs, j, state[j * STATE + X] - x, state[j * STATE + Y] - y)
+    touch[WIDEST] = Infinity
   }
 }
 

@@ -588,19 +588,18 @@ export function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number
   state[state[a] < state[b] ? a : b] -= MAX_PUSH
 }
 
-/** Walls give way to nothing: a chip that others have pressed into one is put back. Returns whether it was far enough in to have been struck into it. */
-export function keepInside({ bodies, walls }: Scene, i: number): boolean {
+/** Walls give way to nothing: a chip that others have pressed into one is put back. */
+export function keepInside({ bodies, walls }: Scene, i: number): void {
   const { state, shape } = bodies
   const s = i * STATE
   const far = shape[i * SHAPE + EXTENT]
   const atX = state[s + X]
   const atY = state[s + Y]
-  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return false
+  if (atX >= far && atX <= walls.width - far && atY <= walls.height - far) return
   halfExtents(bodies, i, WALL_GIVE, 0)
   const ex = extents[X]
   state[s + X] = Math.min(Math.max(atX, ex), Math.max(ex, farWall(shape, i, walls.width) - ex))
   state[s + Y] = Math.min(atY, walls.height - extents[Y])
-  return Math.abs(state[s + X] - atX) + Math.abs(state[s + Y] - atY) > MARGIN
 }
 
 /**

@@ -73,7 +73,7 @@ import {
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, furthest, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
-import { keepBehind, keepInBox, Pairs, updatePairs } from './pairs'
+import { keepBack, Pairs, updatePairs } from './pairs'
 import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
 
 /**
@@ -174,9 +174,9 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   simulation.speed = speed
   const sweeps = tune(simulation, c1 - c0, held)
   const { relaxation } = simulation
-  // Dull chips lose more than what parts them could give: slow ones are left alone, and what lifts fast ones costs them nothing.
+  // Slow ones are left alone: next to what creeps the least that a parting lifts is much. What lifts fast ones costs dull chips nothing, who lose more than that.
   const dull = simulation.bounce < LIVELY_BOUNCE
-  const free = held || (dull && speed < LIVELY)
+  const free = held || speed < LIVELY
   if (!free) weigh(simulation, b0, b1, 0)
   warmStart(simulation, b0, b1, c0, c1, grabbed)
   let end = c0
@@ -195,10 +195,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
-  for (let n = b0; n < b1; n++) keepInBox(simulation, pairs, islands.bodies[n])
-  for (let n = b0; n < b1; n++)
-    if (keepInside(simulation, islands.bodies[n]) && simulation.lively)
-      keepBehind(simulation, pairs, islands.bodies[n])
+  for (let n = b0; n < b1; n++) keepBack(simulation, pairs, islands.bodies[n])
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 
