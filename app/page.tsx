@@ -6,7 +6,7 @@ import { PageTools } from '@/components/page-tools'
 import { type Fact, facts, pitch, price, ways } from '@/lib/home'
 import { siteUrl } from '@/site.config.mjs'
 
-export const metadata: Metadata = { alternates: { canonical: '/' } }
+export const metadata: Metadata = { alternates: { canonical: '/', types: { 'text/markdown': '/index.md' } } }
 
 export default async function Home() {
   return (

@@ -791,6 +791,11 @@ test.describe('without script', () => {
     await expect(page.getByText('Prototype', { exact: true })).toBeVisible()
     // of a demo below the fold
     await expect(page.getByText('Limestone', { exact: true })).toBeVisible()
+    // What tabs hide otherwise, and what would do nothing.
+    for (const command of [/^npx shadcn@latest add/, /^pnpm dlx shadcn@latest add/, /^npm install motion cn/])
+      await expect(page.getByText(command).first()).toBeVisible()
+    await expect(page.getByText('export function GravityStackDemo').first()).toBeVisible()
+    await expect(page.locator('button:visible')).toHaveCount(0)
     await page.goto('/')
     await expect(page.getByText('no physics library')).toBeVisible()
   })

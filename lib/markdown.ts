@@ -1,5 +1,6 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
+import { browserHead, browserRows } from '@/app/benchmarks/browser'
 import { results, verdictHead, verdictWords } from '@/app/benchmarks/data'
 import { verdicts } from '@/bench/report'
 import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
@@ -161,6 +162,16 @@ const benchmarks = () =>
         return [`${scene.title}: ${scene.measures[measure].name}`, error, cost, asCheap, asExact, frontier]
       }),
     ),
+    '## In a browser',
+    table(
+      browserHead,
+      browserRows.map(({ name, goal, figures }) => [
+        name,
+        goal,
+        ...figures.map(({ text, missed }) => (missed ? `${text}, goal missed` : text)),
+      ]),
+    ),
+    `How all of this was measured, and what to know before you believe it: ${siteUrl}/benchmarks#fair`,
   )
 
 /** Every page as Markdown, by the path of its twin. */

@@ -16,10 +16,10 @@ const three = ({ median, p99, worst }: FrameCost) => `${ms(median)} / ${ms(p99)}
 const kB = (bytes: number) => `${figure(bytes / 1000)} kB`
 
 type Row = {
-  name: ReactNode
+  name: string
   goal?: string
   met?: (result: StageResult) => boolean
-  value: (result: StageResult) => ReactNode
+  value: (result: StageResult) => string | number
 }
 
 const dropOf = ({ drops }: StageResult, chips: number, throttle: number): Drop | undefined =>
@@ -125,10 +125,26 @@ const rows: Row[] = [
 ]
 
 const own: StageName = 'gravity-stack'
+const names = Object.keys(browserResults.stages) as StageName[]
+
+export const browserHead = [
+  'Measure',
+  'Goal',
+  ...names.map((name) => [looks[name].title, browserResults.versions[name]].filter(Boolean).join(' ')),
+]
+
+/** The rows below that head; of our own figures, whether the goal is missed. */
+export const browserRows = rows.map(({ name, goal = '', met, value }) => ({
+  name,
+  goal,
+  figures: names.map((stage) => {
+    const result = browserResults.stages[stage]
+    return { stage, text: String(value(result)), missed: stage === own && met !== undefined && !met(result) }
+  }),
+}))
 
 export function InBrowser({ download }: { download: ReactNode }) {
-  const { date, commit, machine, idle, stages, versions } = browserResults
-  const names = Object.keys(stages) as StageName[]
+  const { date, commit, machine, idle } = browserResults
   return (
     <>
       <p className="max-w-3xl text-muted-foreground leading-relaxed">
@@ -144,23 +160,22 @@ export function InBrowser({ download }: { download: ReactNode }) {
       <div className="mt-6">
         <Table
           label="In a browser"
-          head={[
-            'Measure',
-            'Goal',
-            ...names.map((name) => [looks[name].title, versions[name]].filter(Boolean).join(' ')),
-          ]}
-          rows={rows.map(({ name, goal, met, value }) => [
+          head={browserHead}
+          rows={browserRows.map(({ name, goal, figures }) => [
             name,
-            goal ?? '',
-            ...names.map((stage) => (
+            <span key="goal" className="whitespace-nowrap">
+              {goal}
+            </span>,
+            ...figures.map(({ stage, text, missed }) => (
               <span key={stage} className="whitespace-nowrap">
-                {value(stages[stage])}
-                {stage === own && met && !met(stages[stage]) && (
+                {/* Before the figure: on a narrow screen what comes after it is out of sight. */}
+                {missed && (
                   <strong className="relative text-(--gravity-stack)">
-                    <span aria-hidden="true"> ★</span>
-                    <span className="sr-only"> goal missed</span>
+                    <span aria-hidden="true">★ </span>
+                    <span className="sr-only">goal missed </span>
                   </strong>
                 )}
+                {text}
               </span>
             )),
           ])}

@@ -22,7 +22,7 @@ export const metadata: Metadata = {
   title: 'Benchmarks',
   description:
     'Run time against error for Gravity Stack beside six other engines: named scenes, exact answers, every setting, raw data.',
-  alternates: { canonical: '/benchmarks' },
+  alternates: { canonical: '/benchmarks', types: { 'text/markdown': '/benchmarks.md' } },
 }
 
 const groups: { id: string; title: string; text: string; scenes: RegExp }[] = [

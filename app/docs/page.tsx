@@ -8,7 +8,7 @@ export const metadata: Metadata = {
   title: 'Docs',
   description:
     'All pages of the Gravity Stack docs: setting up, the component, how its solver works and what is measured.',
-  alternates: { canonical: '/docs' },
+  alternates: { canonical: '/docs', types: { 'text/markdown': '/docs.md' } },
 }
 
 export default function Docs() {

@@ -7,7 +7,7 @@ export const metadata: Metadata = {
   title: 'Playground',
   description:
     'Gravity, bounce, friction and more to turn, slow motion and single steps, and the code for your settings.',
-  alternates: { canonical: '/playground' },
+  alternates: { canonical: '/playground', types: { 'text/markdown': '/playground.md' } },
 }
 
 export default function PlaygroundPage() {

@@ -3,8 +3,8 @@ import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { createInterface } from 'node:readline'
 import { root } from '../../scripts/run.mjs'
-import { siteUrl } from '../../site.config.mjs'
-import { answered, components, expect, item, type Project, test } from './project'
+import { siteUrl, version } from '../../site.config.mjs'
+import { answered, components, expect, item, type Project, test, tool } from './project'
 
 const source = () => readFile(join(root, 'components/ui/gravity-stack.tsx'), 'utf8')
 const file = 'components/ui/gravity-stack.tsx'
@@ -158,4 +158,66 @@ test('other aliases, such as ~/, are followed in the files that arrive', async (
   await project.shadcn('add', item('gravity-stack-demo'), '--yes')
   expect(project.has('parts/ui/gravity-stack.tsx')).toBe(true)
   expect(await project.read('parts/gravity-stack-demo.tsx')).toContain("from '~/parts/ui/gravity-stack'")
+})
+
+test('a project without TypeScript gets plain JavaScript, which still says what version it is', async ({
+  make,
+}) => {
+  const project = await make('bare')
+  await bare(project)
+  await project.write({ 'components.json': components('app.css', { rsc: false, tsx: false }) })
+  await project.shadcn('add', item('gravity-stack'), '--yes')
+  const added = await project.read('components/ui/gravity-stack.jsx')
+  expect(added).toContain(`Gravity Stack ${version} · ${siteUrl}/docs/gravity-stack`)
+  expect(added).not.toMatch(/^type |^interface /m)
+})
+
+test('in a monorepo the component goes to the package for it, where the app that asked finds it', async ({
+  make,
+}) => {
+  const project = await make('monorepo')
+  const shared = { utils: '@workspace/ui/lib/utils', ui: '@workspace/ui/components' }
+  const inUi = {
+    components: '@workspace/ui/components',
+    lib: '@workspace/ui/lib',
+    hooks: '@workspace/ui/hooks',
+  }
+  const inWeb = { components: '@/components', lib: '@/lib', hooks: '@/hooks' }
+  const options = {
+    jsx: 'react-jsx',
+    module: 'esnext',
+    moduleResolution: 'bundler',
+    strict: true,
+    noEmit: true,
+  }
+  const types = { '@types/react': '^19', '@types/react-dom': '^19' }
+  await project.write({
+    'package.json': { name: 'monorepo', private: true, workspaces: ['apps/*', 'packages/*'] },
+    'packages/ui/package.json': { name: '@workspace/ui', private: true },
+    'packages/ui/tsconfig.json': {
+      compilerOptions: { ...options, paths: { '@workspace/ui/*': ['./src/*'] } },
+    },
+    'packages/ui/src/styles/globals.css': "@import 'tailwindcss';\n",
+    'packages/ui/components.json': components('src/styles/globals.css', { aliases: { ...inUi, ...shared } }),
+    'apps/web/package.json': {
+      name: 'web',
+      private: true,
+      dependencies: { '@workspace/ui': '*', react: '^19', 'react-dom': '^19', ...types },
+    },
+    'apps/web/tsconfig.json': {
+      compilerOptions: {
+        ...options,
+        skipLibCheck: true,
+        paths: { '@/*': ['./src/*'], '@workspace/ui/*': ['../../packages/ui/src/*'] },
+      },
+      include: ['src'],
+    },
+    'apps/web/components.json': components('../../packages/ui/src/styles/globals.css', {
+      aliases: { ...inWeb, ...shared },
+    }),
+  })
+  await project.run('npm', ['install'])
+  await project.shadcn('add', item('gravity-stack-demo'), '--yes', '--cwd', 'apps/web')
+  expect(await project.read('packages/ui/src/components/gravity-stack.tsx')).toBe(await source())
+  await project.run(tool('tsc'), ['--project', 'apps/web'])
 })

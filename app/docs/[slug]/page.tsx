@@ -22,7 +22,7 @@ export async function generateMetadata({ params }: PageProps<'/docs/[slug]'>): P
     ? {
         title: titles[doc.slug] ?? doc.title,
         description: doc.description,
-        alternates: { canonical: `/docs/${doc.slug}` },
+        alternates: { canonical: `/docs/${doc.slug}`, types: { 'text/markdown': `/docs/${doc.slug}.md` } },
       }
     : {}
 }
