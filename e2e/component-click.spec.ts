@@ -49,6 +49,17 @@ test('a long link is followed from its very edge', async ({ stage, page }) => {
   await expect(page).toHaveURL(/#long$/)
 })
 
+test('a link is followed though what is around its stage shrinks at the press', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'shrinking' })
+  const { x, y } = await stage.centre(stage.chip('to the end'))
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await stage.hangs(stage.chip('to the end'))
+  await page.mouse.move(x + 1, y)
+  await page.mouse.up()
+  await expect(page).toHaveURL(/#long$/)
+})
+
 test('a chip is tapped at its very edge, and hears of it', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'rim' })
   const box = (await stage.chips.first().boundingBox())!

@@ -106,6 +106,23 @@ test('focus on a chip of a stage taller than the window is in view when the chip
   await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
 })
 
+test('whoever scrolls on while the chip with the focus falls is not brought back when it lies', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
+  await stage.reaches('running')
+  await page.mouse.move(700, 100)
+  await page.getByText('a button').focus()
+  const before = await page.evaluate(() => scrollY)
+  await page.mouse.wheel(0, 30)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(before + 30)
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+  await stage.probe((probe) => probe.pass(3))
+  expect(await page.evaluate(() => scrollY)).toBe(before + 30)
+})
+
 for (const [pressed, selector, interactive] of [
   ['a press on a control that falls', '[data-name=button]', true],
   ['a press on a control that falls and cannot be grabbed', '[data-name=button]', false],

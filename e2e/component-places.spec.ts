@@ -1,6 +1,18 @@
 import { expect, StagePage, test } from './fixtures/stage'
 
-for (const kind of ['plain', 'scaled', 'rotated', 'own', 'rtl', 'scroller', 'shadow', 'frame']) {
+const kinds = [
+  'plain',
+  'scaled',
+  'rotated',
+  'own',
+  'rtl',
+  'scroller',
+  'columns',
+  'growing',
+  'shadow',
+  'frame',
+]
+for (const kind of kinds) {
   test(`the pointer grabs and carries the right point of a chip: ${kind} stage`, async ({
     stage: outer,
     page,

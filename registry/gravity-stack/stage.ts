@@ -92,10 +92,12 @@ interface Press {
   down: PointerEvent
   /** Its last event. */
   at: PointerEvent
+  /** From the stage's bounding box, as it is now, to its own px. */
   toStage: DOMMatrix
-  /** The pointer on the stage's bounding box, client px, and where it went down on that: a page may scroll under it. */
-  on: { x: number; y: number }
-  from?: { x: number; y: number }
+  box?: DOMRect
+  /** Client px by which the page has scrolled under it. */
+  slidX: number
+  slidY: number
   /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
@@ -171,15 +173,15 @@ function hearing({ signal }: AbortController) {
     target.addEventListener(type, handler as EventListener, { signal, ...more })
 }
 
-/** From the stage's bounding box to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
-function pointerMap(root: HTMLElement) {
+/** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
+function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('i'))
-    probe.style.cssText = `position:absolute;left:${i === 1 ? 1000 : 0}px;top:${i === 2 ? 1000 : 0}px`
+    // By transforms: what is laid out that far down goes to the next column where there are columns.
+    probe.style.cssText = `position:absolute;left:0;top:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
     return probe
   })
   // All are written before any is read: one layout.
-  const box = root.getBoundingClientRect()
   const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
   for (const probe of probes) probe.remove()
   return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
@@ -663,6 +665,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (unseen && chip.state !== 'resting') {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
+      const on = hearing(listening!)
+      for (const type of ['wheel', 'touchmove', 'keydown'])
+        on(view, type, unfollow, { ...FIRST, once: true, passive: true })
     }
     if (chip.id < 0) {
       started = true
@@ -673,6 +678,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     }
     if (unseen) bringIn(chip)
     sync()
+  }
+
+  /** Whoever scrolls on meanwhile is not brought back. */
+  function unfollow() {
+    followed = undefined
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
@@ -713,9 +723,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip,
       down: event,
       origin: event.target as Element,
-      toStage: pointerMap(root),
+      slidX: 0,
+      slidY: 0,
       touch,
-    } as unknown as Press
+    } as Press
     track(press, event)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
@@ -729,11 +740,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   function track(press: Press, event: PointerEvent) {
-    // A page that scrolls moves the whole stage by as much as its bounding box.
+    // A page that scrolls moves the whole stage by as much as its bounding box; what is around it may grow, as under a pointer.
     const box = root.getBoundingClientRect()
-    press.on = { x: event.clientX - box.x, y: event.clientY - box.y }
-    press.from ??= press.on
-    const { x, y } = press.toStage.transformPoint(press.on)
+    if (box.width !== press.box?.width || box.height !== press.box.height)
+      press.toStage = pointerMap(root, box)
+    press.box = box
+    const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
     press.at = event
     press.x = x
     press.y = y
@@ -742,7 +754,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** The page scrolls under a pointer that stands still. */
   function follow() {
-    for (const press of presses.values()) move(press.at)
+    for (const press of presses.values()) {
+      const { x, y } = press.box!
+      track(press, press.at)
+      press.slidX += x - press.box!.x
+      press.slidY += y - press.box!.y
+      move(press.at)
+    }
   }
 
   function hold(press: Press) {
@@ -772,8 +790,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Its release was lost: to a menu of the system, an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
-    const dx = press.on.x - press.from!.x
-    const dy = press.on.y - press.from!.y
+    const dx = event.clientX - press.down.clientX + press.slidX
+    const dy = event.clientY - press.down.clientY + press.slidY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
