@@ -1,9 +1,7 @@
 import type { Metadata } from 'next'
-import { LostWords } from '@/components/lost-words'
+import { LiveFigure } from '@/components/lab'
 
 export const metadata: Metadata = { title: 'Page not found' }
-
-const words = ['This', 'page', 'fell', 'down', 'and', 'nobody', 'picked', 'it', 'up.']
 
 export default function NotFound() {
   return (
@@ -23,16 +21,7 @@ export default function NotFound() {
             .
           </p>
         </div>
-        <LostWords className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto">
-          {words.map((word) => (
-            <span
-              key={word}
-              className="rounded-2xl bg-foreground px-5 py-3 font-semibold text-2xl text-background sm:px-7 sm:py-4 sm:text-4xl"
-            >
-              {word}
-            </span>
-          ))}
-        </LostWords>
+        <LiveFigure from="lost" name="words" />
       </div>
     </main>
   )

@@ -1,7 +1,7 @@
 'use client'
 
 import { type ComponentType, lazy, useEffect, useRef } from 'react'
-import { hydrateRoot, type Root } from 'react-dom/client'
+import { hydrateRoot } from 'react-dom/client'
 
 /** An example of registry/examples by its file's name; each is a file of its own for the browser. */
 async function load(name: string): Promise<ComponentType> {
@@ -19,31 +19,26 @@ const rendered: Record<string, ComponentType> = {}
  */
 export function Demo({ name, drop }: { name: string; drop: number }) {
   const box = useRef<HTMLDivElement>(null)
-  const root = useRef<Root>(null)
-  const example = useRef<ComponentType>(null)
-  const latest = useRef(drop)
-  latest.current = drop
+  const render = useRef<(drop: number) => void>(null)
 
   useEffect(() => {
+    const element = box.current!
     const near = new IntersectionObserver(
       async ([entry]) => {
         if (!entry.isIntersecting) return
         const Example = await load(name)
         near.disconnect()
-        if (!box.current || root.current) return
-        example.current = Example
-        root.current = hydrateRoot(box.current, <Example key={latest.current} />)
+        if (render.current) return
+        const root = hydrateRoot(element, <Example key={0} />)
+        render.current = (drop) => root.render(<Example key={drop} />)
       },
       { rootMargin: '200px' },
     )
-    near.observe(box.current!)
+    near.observe(element)
     return () => near.disconnect()
   }, [name])
 
-  useEffect(() => {
-    const Example = example.current
-    if (Example) root.current!.render(<Example key={drop} />)
-  }, [drop])
+  useEffect(() => render.current?.(drop), [drop])
 
   if (onServer) {
     rendered[name] ??= lazy(async () => ({ default: await load(name) }))

@@ -1,10 +1,22 @@
-'use client'
+import type { ComponentType } from 'react'
+import { GravityStack } from './ui/gravity-stack'
 
-import { type ComponentProps, lazy } from 'react'
+const all = ['This', 'page', 'fell', 'down', 'and', 'nobody', 'picked', 'it', 'up.']
 
-// Every page carries its 404 with it; the component comes only where it falls.
-const GravityStack = lazy(() => import('./ui/gravity-stack').then((file) => ({ default: file.GravityStack })))
-
-export function LostWords(props: ComponentProps<typeof GravityStack>) {
-  return <GravityStack {...props} />
+function Words() {
+  return (
+    <GravityStack className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto">
+      {all.map((word) => (
+        <span
+          key={word}
+          className="rounded-2xl bg-foreground px-5 py-3 font-semibold text-2xl text-background sm:px-7 sm:py-4 sm:text-4xl"
+        >
+          {word}
+        </span>
+      ))}
+    </GravityStack>
+  )
 }
+
+/** What falls on the page for pages that are not there. */
+export const lost: Record<string, ComponentType> = { words: Words }

@@ -1,18 +1,16 @@
 'use client'
 
-import { type ReactNode, useEffect, useRef, useState } from 'react'
+import { type ReactNode, useState } from 'react'
+
+/** The button that had the focus is gone; a reader who has moved on meanwhile is left alone. */
+function takeFocus(code: HTMLElement | null) {
+  if (document.activeElement === document.body) code?.querySelector('pre')?.focus({ preventScroll: true })
+}
 
 /** `children` are the first lines; a press on `all` brings the file in full, highlighted at build time. */
 export function SourceText({ all, plain, children }: { all: string; plain: ReactNode; children: ReactNode }) {
   const [html, setHtml] = useState<string>()
   const [state, setState] = useState<'short' | 'loading' | 'failed'>('short')
-  const code = useRef<HTMLDivElement>(null)
-
-  // The button that had the focus is gone; a reader who has moved on meanwhile is left alone.
-  useEffect(() => {
-    if (!html || document.activeElement !== document.body) return
-    code.current!.querySelector('pre')!.focus({ preventScroll: true })
-  }, [html])
 
   async function show() {
     if (state === 'loading') return
@@ -30,7 +28,7 @@ export function SourceText({ all, plain, children }: { all: string; plain: React
     <>
       {html ? (
         // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
-        <div ref={code} className="[&>pre]:max-h-[36rem]" dangerouslySetInnerHTML={{ __html: html }} />
+        <div ref={takeFocus} className="[&>pre]:max-h-[36rem]" dangerouslySetInnerHTML={{ __html: html }} />
       ) : (
         children
       )}

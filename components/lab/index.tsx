@@ -2,9 +2,10 @@
 
 import { type ComponentType, lazy } from 'react'
 
-// A page's figures are one file for the browser, which other pages don't bring.
+// A page's figures are one file for the browser, which other pages don't bring. Every page carries its 404 with it.
 const files = {
   ideas: async () => (await import('./ideas')).ideas,
+  lost: async () => (await import('../lost-words')).lost,
   stability: async () => (await import('./stability')).stability,
 }
 

@@ -438,6 +438,16 @@ function speedOf({ state, shape }: Bodies, i: number): number {
   )
 }
 
+/** px that the farthest point of body `i` may have gone since it was at the pose `from[at..at + 3)`. */
+function wayFrom({ shape, state }: Bodies, i: number, from: Float64Array, at: number): number {
+  const s = i * STATE
+  return (
+    Math.abs(state[s + X] - from[at]) +
+    Math.abs(state[s + Y] - from[at + 1]) +
+    shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - from[at + 2])
+  )
+}
+
 /** No body moves faster than `most` px/s. */
 function capSpeed(state: Float64Array, s: number, most: number): void {
   const vx = state[s + VX]
@@ -995,10 +1005,8 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
   hold.y = y
   hold.idle = 0
   const samples = hold.samples
-  // A clock that goes back begins anew.
-  if (samples.length > 0 && samples[samples.length - 1]!.seconds > seconds) samples.length = 0
-  // One that is too coarse to tell two moves apart tells of the later.
-  if (samples.length > 0 && samples[samples.length - 1]!.seconds === seconds) samples.pop()
+  // A clock may go back, or be too coarse to tell two moves apart.
+  while (samples.length > 0 && samples[samples.length - 1]!.seconds >= seconds) samples.pop()
   samples.push({ x, y, seconds })
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }
@@ -2475,102 +2483,90 @@ function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: Pairs):
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
 }
 
-/** At the end of a step body `i` goes no farther than it may, and what has come into it from behind stays behind it. */
-function keepBack(scene: Scene, pairs: Pairs, i: number): void {
-  const { state } = scene.bodies
-  const x = state[i * STATE + X]
-  const y = state[i * STATE + Y]
-  const stopped = keepInBox(scene, pairs, i)
-  keepInside(scene, i)
-  const dx = state[i * STATE + X] - x
-  const dy = state[i * STATE + Y] - y
-  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
-  if (stopped || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
-}
-
 /**
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
- * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. Returns whether
- * it was stopped.
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. What has come
+ * into it from behind, or into one struck into a wall, stays behind it.
  */
-function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): boolean {
+function keepBack(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
   const { box, order, partner } = pairs
   const { before, state } = bodies
   const k = i * 4
+  const s = i * STATE
   halfExtents(bodies, i, 0, 0)
   const ex = extents[X]
   const ey = extents[Y]
-  const x = state[i * STATE + X]
-  const y = state[i * STATE + Y]
-  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return false
-  // Turned meanwhile it may reach over the edge where it came from: behind that there is what it has bounced off.
-  const fromX = before[i * 3]
-  const fromY = before[i * 3 + 1]
-  const backX = Math.max(Math.min(x, Math.max(box[k + 2] - ex, fromX)), Math.min(box[k] + ex, fromX))
-  const backY = Math.max(Math.min(y, Math.max(box[k + 3] - ey, fromY)), Math.min(box[k + 1] + ey, fromY))
-  state[i * STATE + X] = backX
-  state[i * STATE + Y] = backY
-  const goX = x - backX
-  const goY = y - backY
+  const x = state[s + X]
+  const y = state[s + Y]
+  const backX = between(x, box[k] + ex, box[k + 2] - ex, before[i * 3])
+  const backY = between(y, box[k + 1] + ey, box[k + 3] - ey, before[i * 3 + 1])
   let share = 1
-  touch[WIDEST] = Infinity
-  markPartners(partner, contacts, i, i)
-  for (let b = 0; b < pairs.sorted; b++) {
-    const j = order[b]
-    if (j === i || partner[j] === i) continue
-    halfExtents(bodies, j, 0, 0)
-    const otherX = state[j * STATE + X]
-    const otherY = state[j * STATE + Y]
-    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
-      continue
-    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
-      continue
-    // As far as the line between the two lets it go, which is never into it.
-    collide(bodies, i, j)
-    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
-    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
+  if (backX !== x || backY !== y) {
+    state[s + X] = backX
+    state[s + Y] = backY
+    const goX = x - backX
+    const goY = y - backY
+    touch[WIDEST] = Infinity
+    markPartners(partner, contacts, i, i)
+    for (let b = 0; b < pairs.sorted; b++) {
+      const j = order[b]
+      if (j === i || partner[j] === i) continue
+      halfExtents(bodies, j, 0, 0)
+      // Neither where it is nor on the way back.
+      if (Math.abs(2 * state[j * STATE + X] - x - backX) > Math.abs(goX) + 2 * (ex + extents[X])) continue
+      if (Math.abs(2 * state[j * STATE + Y] - y - backY) > Math.abs(goY) + 2 * (ey + extents[Y])) continue
+      // As far as the line between the two lets it go, which is never into it.
+      collide(bodies, i, j)
+      const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
+      if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
+    }
+    state[s + X] = backX + share * goX
+    state[s + Y] = backY + share * goY
+    markPartners(partner, contacts, i, 0)
   }
-  state[i * STATE + X] = backX + share * goX
-  state[i * STATE + Y] = backY + share * goY
-  markPartners(partner, contacts, i, 0)
-  return share < 1
+  keepInside(scene, i)
+  const dx = state[s + X] - x
+  const dy = state[s + Y] - y
+  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
+  if (share < 1 || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
 }
 
-/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
+/** `at`, no less than `low` and no more than `high`, but where it came `from`: turned since, a chip may reach over the edge there, and behind that is what it has bounced off. */
+function between(at: number, low: number, high: number, from: number): number {
+  return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
+}
+
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two have gone. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, shape, state } = bodies
+  const { asleep, before, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
-  touch[WIDEST] = Infinity
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const j = contacts.pair[edge ^ 1]
-    if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
+    const t = j * STATE
+    if (j === 0 || pairs.moved[j] + asleep[j] > 0) continue
     // Which side it came from shows where `i` had got to: put back, that may be past its middle.
     state[s + X] -= dx
     state[s + Y] -= dy
+    touch[WIDEST] = Infinity
     collide(bodies, i, j)
     state[s + X] += dx
     state[s + Y] += dy
-    let back = touch[NORMAL_X] * dx + touch[NORMAL_Y] * dy - touch[DISTANCE]
-    let came = 0
-    for (let axis = 0; axis < 3; axis++) {
-      const goI = state[s + axis] - before[i * 3 + axis]
-      const goJ = state[j * STATE + axis] - before[j * 3 + axis]
-      came +=
-        axis === ANGLE
-          ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
-          : touch[NORMAL_X + axis] * (goI - goJ)
-    }
-    back = Math.min(came, back)
+    const nx = touch[NORMAL_X]
+    const ny = touch[NORMAL_Y]
+    const back = Math.min(
+      wayFrom(bodies, i, before, i * 3) + wayFrom(bodies, j, before, j * 3),
+      nx * dx + ny * dy - touch[DISTANCE],
+    )
     if (!(back > 0)) continue
-    const x = state[j * STATE + X]
-    const y = state[j * STATE + Y]
-    state[j * STATE + X] += back * touch[NORMAL_X]
-    state[j * STATE + Y] += back * touch[NORMAL_Y]
+    const x = state[t + X]
+    const y = state[t + Y]
+    state[t + X] += back * nx
+    state[t + Y] += back * ny
     keepInside(scene, j)
-    keepBehind(scene, pairs, j, state[j * STATE + X] - x, state[j * STATE + Y] - y)
-    touch[WIDEST] = Infinity
+    keepBehind(scene, pairs, j, state[t + X] - x, state[t + Y] - y)
   }
 }
 
@@ -2770,7 +2766,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
  */
 function rest(islands: Islands, scene: Scene): void {
   const { bodies, contacts, gravity } = scene
-  const { state, shape, held, awake, awakeCount: count } = bodies
+  const { state, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
   let ready = false
@@ -2778,10 +2774,7 @@ function rest(islands: Islands, scene: Scene): void {
     const i = awake[n]
     const s = i * STATE
     const r = i * 4
-    const off =
-      Math.abs(state[s + X] - still[r]) +
-      Math.abs(state[s + Y] - still[r + 1]) +
-      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - still[r + 2])
+    const off = wayFrom(bodies, i, still, r)
     if (off > REST_DISTANCE || held[i] > 0) {
       still[r] = state[s + X]
       still[r + 1] = state[s + Y]
@@ -3700,9 +3693,9 @@ interface Press {
   /** From the stage's bounding box, as it is now, to its own px. */
   toStage: DOMMatrix
   box?: DOMRect
-  /** Client px by which the page has scrolled under it. */
-  slidX: number
-  slidY: number
+  /** Client px, where it went down; a page that scrolls takes that along. */
+  fromX: number
+  fromY: number
   /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
@@ -4270,9 +4263,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (unseen && chip.state !== 'resting') {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
-      const on = hearing(listening!)
+      // Whoever scrolls on meanwhile is not brought back.
       for (const type of ['wheel', 'touchmove', 'keydown'])
-        on(view, type, unfollow, { ...FIRST, once: true, passive: true })
+        hearing(listening!)(view, type, () => (followed = undefined), { ...FIRST, once: true })
     }
     if (chip.id < 0) {
       started = true
@@ -4283,11 +4276,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     }
     if (unseen) bringIn(chip)
     sync()
-  }
-
-  /** Whoever scrolls on meanwhile is not brought back. */
-  function unfollow() {
-    followed = undefined
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
@@ -4328,8 +4316,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       chip,
       down: event,
       origin: event.target as Element,
-      slidX: 0,
-      slidY: 0,
+      fromX: event.clientX,
+      fromY: event.clientY,
       touch,
     } as Press
     track(press, event)
@@ -4360,11 +4348,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   /** The page scrolls under a pointer that stands still. */
   function follow() {
     for (const press of presses.values()) {
-      const { x, y } = press.box!
-      track(press, press.at)
-      press.slidX += x - press.box!.x
-      press.slidY += y - press.box!.y
-      move(press.at)
+      const { box, at } = press
+      track(press, at)
+      press.fromX += press.box!.x - box!.x
+      press.fromY += press.box!.y - box!.y
+      move(at)
     }
   }
 
@@ -4395,8 +4383,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // Its release was lost: to a menu of the system, an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
-    const dx = event.clientX - press.down.clientX + press.slidX
-    const dy = event.clientY - press.down.clientY + press.slidY
+    const dx = event.clientX - press.fromX
+    const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)

@@ -170,10 +170,8 @@ export function recordHold(hold: Hold, x: number, y: number, seconds: number): v
   hold.y = y
   hold.idle = 0
   const samples = hold.samples
-  // A clock that goes back begins anew.
-  if (samples.length > 0 && samples[samples.length - 1]!.seconds > seconds) samples.length = 0
-  // One that is too coarse to tell two moves apart tells of the later.
-  if (samples.length > 0 && samples[samples.length - 1]!.seconds === seconds) samples.pop()
+  // A clock may go back, or be too coarse to tell two moves apart.
+  while (samples.length > 0 && samples[samples.length - 1]!.seconds >= seconds) samples.pop()
   samples.push({ x, y, seconds })
   while (samples.length > 2 && samples[0]!.seconds < seconds - THROW_WINDOW) samples.shift()
 }

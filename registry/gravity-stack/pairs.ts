@@ -1,4 +1,4 @@
-import { ANGLE, type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
+import { type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, wayFrom, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { MARGIN, SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
@@ -139,102 +139,90 @@ export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: 
   for (let a = 0; a < count; a++) moved[awake[a]] = 0
 }
 
-/** At the end of a step body `i` goes no farther than it may, and what has come into it from behind stays behind it. */
-export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
-  const { state } = scene.bodies
-  const x = state[i * STATE + X]
-  const y = state[i * STATE + Y]
-  const stopped = keepInBox(scene, pairs, i)
-  keepInside(scene, i)
-  const dx = state[i * STATE + X] - x
-  const dy = state[i * STATE + Y] - y
-  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
-  if (stopped || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
-}
-
 /**
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
- * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. Returns whether
- * it was stopped.
+ * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. What has come
+ * into it from behind, or into one struck into a wall, stays behind it.
  */
-function keepInBox({ bodies, contacts }: Scene, pairs: Pairs, i: number): boolean {
+export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
+  const { bodies, contacts } = scene
   const { box, order, partner } = pairs
   const { before, state } = bodies
   const k = i * 4
+  const s = i * STATE
   halfExtents(bodies, i, 0, 0)
   const ex = extents[X]
   const ey = extents[Y]
-  const x = state[i * STATE + X]
-  const y = state[i * STATE + Y]
-  if (x - ex >= box[k] && y - ey >= box[k + 1] && x + ex <= box[k + 2] && y + ey <= box[k + 3]) return false
-  // Turned meanwhile it may reach over the edge where it came from: behind that there is what it has bounced off.
-  const fromX = before[i * 3]
-  const fromY = before[i * 3 + 1]
-  const backX = Math.max(Math.min(x, Math.max(box[k + 2] - ex, fromX)), Math.min(box[k] + ex, fromX))
-  const backY = Math.max(Math.min(y, Math.max(box[k + 3] - ey, fromY)), Math.min(box[k + 1] + ey, fromY))
-  state[i * STATE + X] = backX
-  state[i * STATE + Y] = backY
-  const goX = x - backX
-  const goY = y - backY
+  const x = state[s + X]
+  const y = state[s + Y]
+  const backX = between(x, box[k] + ex, box[k + 2] - ex, before[i * 3])
+  const backY = between(y, box[k + 1] + ey, box[k + 3] - ey, before[i * 3 + 1])
   let share = 1
-  touch[WIDEST] = Infinity
-  markPartners(partner, contacts, i, i)
-  for (let b = 0; b < pairs.sorted; b++) {
-    const j = order[b]
-    if (j === i || partner[j] === i) continue
-    halfExtents(bodies, j, 0, 0)
-    const otherX = state[j * STATE + X]
-    const otherY = state[j * STATE + Y]
-    if (Math.min(x, backX) - ex > otherX + extents[X] || Math.max(x, backX) + ex < otherX - extents[X])
-      continue
-    if (Math.min(y, backY) - ey > otherY + extents[Y] || Math.max(y, backY) + ey < otherY - extents[Y])
-      continue
-    // As far as the line between the two lets it go, which is never into it.
-    collide(bodies, i, j)
-    const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
-    if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
+  if (backX !== x || backY !== y) {
+    state[s + X] = backX
+    state[s + Y] = backY
+    const goX = x - backX
+    const goY = y - backY
+    touch[WIDEST] = Infinity
+    markPartners(partner, contacts, i, i)
+    for (let b = 0; b < pairs.sorted; b++) {
+      const j = order[b]
+      if (j === i || partner[j] === i) continue
+      halfExtents(bodies, j, 0, 0)
+      // Neither where it is nor on the way back.
+      if (Math.abs(2 * state[j * STATE + X] - x - backX) > Math.abs(goX) + 2 * (ex + extents[X])) continue
+      if (Math.abs(2 * state[j * STATE + Y] - y - backY) > Math.abs(goY) + 2 * (ey + extents[Y])) continue
+      // As far as the line between the two lets it go, which is never into it.
+      collide(bodies, i, j)
+      const toward = touch[NORMAL_X] * goX + touch[NORMAL_Y] * goY
+      if (toward > 0) share = Math.min(share, Math.max(0, touch[DISTANCE]) / toward)
+    }
+    state[s + X] = backX + share * goX
+    state[s + Y] = backY + share * goY
+    markPartners(partner, contacts, i, 0)
   }
-  state[i * STATE + X] = backX + share * goX
-  state[i * STATE + Y] = backY + share * goY
-  markPartners(partner, contacts, i, 0)
-  return share < 1
+  keepInside(scene, i)
+  const dx = state[s + X] - x
+  const dy = state[s + Y] - y
+  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
+  if (share < 1 || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
 }
 
-/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
+/** `at`, no less than `low` and no more than `high`, but where it came `from`: turned since, a chip may reach over the edge there, and behind that is what it has bounced off. */
+function between(at: number, low: number, high: number, from: number): number {
+  return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
+}
+
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two have gone. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, shape, state } = bodies
+  const { asleep, before, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
-  touch[WIDEST] = Infinity
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const j = contacts.pair[edge ^ 1]
-    if (j === 0 || pairs.moved[j] === 1 || asleep[j] === 1) continue
+    const t = j * STATE
+    if (j === 0 || pairs.moved[j] + asleep[j] > 0) continue
     // Which side it came from shows where `i` had got to: put back, that may be past its middle.
     state[s + X] -= dx
     state[s + Y] -= dy
+    touch[WIDEST] = Infinity
     collide(bodies, i, j)
     state[s + X] += dx
     state[s + Y] += dy
-    let back = touch[NORMAL_X] * dx + touch[NORMAL_Y] * dy - touch[DISTANCE]
-    let came = 0
-    for (let axis = 0; axis < 3; axis++) {
-      const goI = state[s + axis] - before[i * 3 + axis]
-      const goJ = state[j * STATE + axis] - before[j * 3 + axis]
-      came +=
-        axis === ANGLE
-          ? shape[i * SHAPE + CORE] * Math.abs(goI) + shape[j * SHAPE + CORE] * Math.abs(goJ)
-          : touch[NORMAL_X + axis] * (goI - goJ)
-    }
-    back = Math.min(came, back)
+    const nx = touch[NORMAL_X]
+    const ny = touch[NORMAL_Y]
+    const back = Math.min(
+      wayFrom(bodies, i, before, i * 3) + wayFrom(bodies, j, before, j * 3),
+      nx * dx + ny * dy - touch[DISTANCE],
+    )
     if (!(back > 0)) continue
-    const x = state[j * STATE + X]
-    const y = state[j * STATE + Y]
-    state[j * STATE + X] += back * touch[NORMAL_X]
-    state[j * STATE + Y] += back * touch[NORMAL_Y]
+    const x = state[t + X]
+    const y = state[t + Y]
+    state[t + X] += back * nx
+    state[t + Y] += back * ny
     keepInside(scene, j)
-    keepBehind(scene, pairs, j, state[j * STATE + X] - x, state[j * STATE + Y] - y)
-    touch[WIDEST] = Infinity
+    keepBehind(scene, pairs, j, state[t + X] - x, state[t + Y] - y)
   }
 }
 

@@ -95,9 +95,9 @@ interface Press {
   /** From the stage's bounding box, as it is now, to its own px. */
   toStage: DOMMatrix
   box?: DOMRect
-  /** Client px by which the page has scrolled under it. */
-  slidX: number
-  slidY: number
+  /** Client px, where it went down; a page that scrolls takes that along. */
+  fromX: number
+  fromY: number
   /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
   x: number
   y: number
@@ -665,9 +665,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (unseen && chip.state !== 'resting') {
       root.scrollIntoView({ block: 'nearest' })
       followed = chip
-      const on = hearing(listening!)
+      // Whoever scrolls on meanwhile is not brought back.
       for (const type of ['wheel', 'touchmove', 'keydown'])
-        on(view, type, unfollow, { ...FIRST, once: true, passive: true })
+        hearing(listening!)(view, type, () => (followed = undefined), { ...FIRST, once: true })
     }
     if (chip.id < 0) {
       started = true
@@ -678,11 +678,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     }
     if (unseen) bringIn(chip)
     sync()
-  }
-
-  /** Whoever scrolls on meanwhile is not brought back. */
-  function unfollow() {
-    followed = undefined
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
@@ -723,8 +718,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       chip,
       down: event,
       origin: event.target as Element,
-      slidX: 0,
-      slidY: 0,
+      fromX: event.clientX,
+      fromY: event.clientY,
       touch,
     } as Press
     track(press, event)
@@ -755,11 +750,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   /** The page scrolls under a pointer that stands still. */
   function follow() {
     for (const press of presses.values()) {
-      const { x, y } = press.box!
-      track(press, press.at)
-      press.slidX += x - press.box!.x
-      press.slidY += y - press.box!.y
-      move(press.at)
+      const { box, at } = press
+      track(press, at)
+      press.fromX += press.box!.x - box!.x
+      press.fromY += press.box!.y - box!.y
+      move(at)
     }
   }
 
@@ -790,8 +785,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Its release was lost: to a menu of the system, an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
-    const dx = event.clientX - press.down.clientX + press.slidX
-    const dy = event.clientY - press.down.clientY + press.slidY
+    const dx = event.clientX - press.fromX
+    const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
       // A finger that sets out up or down wants to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
