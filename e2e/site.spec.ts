@@ -794,7 +794,8 @@ test.describe('without script', () => {
     // What tabs hide otherwise, and what would do nothing.
     for (const command of [/^npx shadcn@latest add/, /^pnpm dlx shadcn@latest add/, /^npm install motion cn/])
       await expect(page.getByText(command).first()).toBeVisible()
-    await expect(page.getByText('export function GravityStackDemo').first()).toBeVisible()
+    const code = page.getByRole('tabpanel').filter({ hasText: 'export function GravityStackDemo' }).first()
+    expect((await code.boundingBox())!.height).toBeGreaterThan(200)
     await expect(page.locator('button:visible')).toHaveCount(0)
     await page.goto('/')
     await expect(page.getByText('no physics library')).toBeVisible()
