@@ -367,15 +367,19 @@ test('a shake while motion is reduced is none, also once it is not', async ({ st
   expect((await stage.pile()).poses).toEqual(poses)
 })
 
-for (const missing of ['matchMedia', 'IntersectionObserver']) {
+for (const missing of ['matchMedia', 'IntersectionObserver', 'scrollIntoView']) {
   test(`where a test gives a page no ${missing}, the children are there and nothing is thrown`, async ({
     stage,
     page,
   }) => {
-    await page.addInitScript((name) => Object.assign(window, { [name]: undefined }), missing)
+    await page.addInitScript(
+      (name) => Object.assign(name in window ? window : Element.prototype, { [name]: undefined }),
+      missing,
+    )
     await stage.open('surroundings', { kind: 'front' })
     await page.locator('#next').click()
     await expect(stage.chip('new')).toBeAttached()
+    await stage.reaches('static')
   })
 }
 
