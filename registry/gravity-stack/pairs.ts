@@ -193,7 +193,7 @@ function between(at: number, low: number, high: number, from: number): number {
   return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
 }
 
-/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two have gone. */
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
   const { asleep, before, state } = bodies
@@ -212,10 +212,7 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     state[s + Y] += dy
     const nx = touch[NORMAL_X]
     const ny = touch[NORMAL_Y]
-    const back = Math.min(
-      wayFrom(bodies, i, before, i * 3) + wayFrom(bodies, j, before, j * 3),
-      nx * dx + ny * dy - touch[DISTANCE],
-    )
+    const back = Math.min(wayFrom(bodies, j, before, j * 3), nx * dx + ny * dy - touch[DISTANCE])
     if (!(back > 0)) continue
     const x = state[t + X]
     const y = state[t + Y]
