@@ -438,16 +438,6 @@ function speedOf({ state, shape }: Bodies, i: number): number {
   )
 }
 
-/** px that the farthest point of body `i` may have gone since it was at the pose `from[at..at + 3)`. */
-function wayFrom({ shape, state }: Bodies, i: number, from: Float64Array, at: number): number {
-  const s = i * STATE
-  return (
-    Math.abs(state[s + X] - from[at]) +
-    Math.abs(state[s + Y] - from[at + 1]) +
-    shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - from[at + 2])
-  )
-}
-
 /** No body moves faster than `most` px/s. */
 function capSpeed(state: Float64Array, s: number, most: number): void {
   const vx = state[s + VX]
@@ -2537,10 +2527,10 @@ function between(at: number, low: number, high: number, from: number): number {
   return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
 }
 
-/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two came nearer. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, state } = bodies
+  const { asleep, before, shape, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2556,8 +2546,13 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     state[s + Y] += dy
     const nx = touch[NORMAL_X]
     const ny = touch[NORMAL_Y]
-    const back = Math.min(wayFrom(bodies, j, before, j * 3), nx * dx + ny * dy - touch[DISTANCE])
-    if (!(back > 0)) continue
+    const came = (k: number, along: number) =>
+      along * nx * (state[k * STATE + X] - before[k * 3]) +
+      along * ny * (state[k * STATE + Y] - before[k * 3 + 1]) +
+      shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
+    const back = nx * dx + ny * dy - touch[DISTANCE]
+    // What was in it before is left to be parted.
+    if (!(back > 0 && back < came(i, 1) + came(j, -1))) continue
     const x = state[t + X]
     const y = state[t + Y]
     state[t + X] += back * nx
@@ -2763,7 +2758,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
  */
 function rest(islands: Islands, scene: Scene): void {
   const { bodies, contacts, gravity } = scene
-  const { state, held, awake, awakeCount: count } = bodies
+  const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
   let ready = false
@@ -2771,7 +2766,10 @@ function rest(islands: Islands, scene: Scene): void {
     const i = awake[n]
     const s = i * STATE
     const r = i * 4
-    const off = wayFrom(bodies, i, still, r)
+    const off =
+      Math.abs(state[s + X] - still[r]) +
+      Math.abs(state[s + Y] - still[r + 1]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - still[r + 2])
     if (off > REST_DISTANCE || held[i] > 0) {
       still[r] = state[s + X]
       still[r + 1] = state[s + Y]
@@ -4334,6 +4332,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const box = root.getBoundingClientRect()
     if (box.width !== press.box?.width || box.height !== press.box.height)
       press.toStage = pointerMap(root, box)
+    // The same event again: the page has scrolled, and takes along where it went down.
+    if (event === press.at) {
+      press.fromX += box.x - press.box!.x
+      press.fromY += box.y - press.box!.y
+    }
     press.box = box
     const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
     press.at = event
@@ -4344,13 +4347,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** The page scrolls under a pointer that stands still. */
   function follow() {
-    for (const press of presses.values()) {
-      const { box, at } = press
-      track(press, at)
-      press.fromX += press.box!.x - box!.x
-      press.fromY += press.box!.y - box!.y
-      move(at)
-    }
+    for (const press of presses.values()) move(press.at)
   }
 
   function hold(press: Press) {

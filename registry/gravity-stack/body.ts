@@ -252,16 +252,6 @@ export function speedOf({ state, shape }: Bodies, i: number): number {
   )
 }
 
-/** px that the farthest point of body `i` may have gone since it was at the pose `from[at..at + 3)`. */
-export function wayFrom({ shape, state }: Bodies, i: number, from: Float64Array, at: number): number {
-  const s = i * STATE
-  return (
-    Math.abs(state[s + X] - from[at]) +
-    Math.abs(state[s + Y] - from[at + 1]) +
-    shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - from[at + 2])
-  )
-}
-
 /** No body moves faster than `most` px/s. */
 export function capSpeed(state: Float64Array, s: number, most: number): void {
   const vx = state[s + VX]

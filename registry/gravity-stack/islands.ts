@@ -1,6 +1,7 @@
 import {
   ANGLE,
   CORE,
+  EXTENT,
   grown,
   INDEX,
   MOTION,
@@ -11,7 +12,6 @@ import {
   TRAVEL,
   VX,
   VY,
-  wayFrom,
   X,
   Y,
 } from './body'
@@ -216,7 +216,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
  */
 export function rest(islands: Islands, scene: Scene): void {
   const { bodies, contacts, gravity } = scene
-  const { state, held, awake, awakeCount: count } = bodies
+  const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
   let ready = false
@@ -224,7 +224,10 @@ export function rest(islands: Islands, scene: Scene): void {
     const i = awake[n]
     const s = i * STATE
     const r = i * 4
-    const off = wayFrom(bodies, i, still, r)
+    const off =
+      Math.abs(state[s + X] - still[r]) +
+      Math.abs(state[s + Y] - still[r + 1]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - still[r + 2])
     if (off > REST_DISTANCE || held[i] > 0) {
       still[r] = state[s + X]
       still[r + 1] = state[s + Y]

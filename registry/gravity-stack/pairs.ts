@@ -1,4 +1,4 @@
-import { type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, wayFrom, X, Y } from './body'
+import { ANGLE, type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { MARGIN, SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
@@ -193,10 +193,10 @@ function between(at: number, low: number, high: number, from: number): number {
   return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
 }
 
-/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than it came. */
+/** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two came nearer. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, state } = bodies
+  const { asleep, before, shape, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -212,8 +212,13 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     state[s + Y] += dy
     const nx = touch[NORMAL_X]
     const ny = touch[NORMAL_Y]
-    const back = Math.min(wayFrom(bodies, j, before, j * 3), nx * dx + ny * dy - touch[DISTANCE])
-    if (!(back > 0)) continue
+    const came = (k: number, along: number) =>
+      along * nx * (state[k * STATE + X] - before[k * 3]) +
+      along * ny * (state[k * STATE + Y] - before[k * 3 + 1]) +
+      shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
+    const back = nx * dx + ny * dy - touch[DISTANCE]
+    // What was in it before is left to be parted.
+    if (!(back > 0 && back < came(i, 1) + came(j, -1))) continue
     const x = state[t + X]
     const y = state[t + Y]
     state[t + X] += back * nx

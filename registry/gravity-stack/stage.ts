@@ -739,6 +739,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const box = root.getBoundingClientRect()
     if (box.width !== press.box?.width || box.height !== press.box.height)
       press.toStage = pointerMap(root, box)
+    // The same event again: the page has scrolled, and takes along where it went down.
+    if (event === press.at) {
+      press.fromX += box.x - press.box!.x
+      press.fromY += box.y - press.box!.y
+    }
     press.box = box
     const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
     press.at = event
@@ -749,13 +754,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** The page scrolls under a pointer that stands still. */
   function follow() {
-    for (const press of presses.values()) {
-      const { box, at } = press
-      track(press, at)
-      press.fromX += press.box!.x - box!.x
-      press.fromY += press.box!.y - box!.y
-      move(at)
-    }
+    for (const press of presses.values()) move(press.at)
   }
 
   function hold(press: Press) {
