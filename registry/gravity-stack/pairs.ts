@@ -142,9 +142,9 @@ export function updatePairs({ bodies, contacts, walls, gravity }: Scene, pairs: 
 /**
  * A chip that is knocked away, or pulled by a hand, may go farther within the step than its box foresaw. Past the edge of its box it goes
  * only as far as the way is free of those that it has no contact with: its velocity stays, and the next step sees it come. What has come
- * into it from behind, or into one struck into a wall, stays behind it.
+ * into it from behind, or into one struck into a wall, stays behind it, if its island's fastest point had the `speed` for it, px/s.
  */
-export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
+export function keepBack(scene: Scene, pairs: Pairs, i: number, speed: number): void {
   const { bodies, contacts } = scene
   const { box, order, partner } = pairs
   const { before, state } = bodies
@@ -155,8 +155,15 @@ export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
   const ey = extents[Y]
   const x = state[s + X]
   const y = state[s + Y]
-  const backX = between(x, box[k] + ex, box[k + 2] - ex, before[i * 3])
-  const backY = between(y, box[k + 1] + ey, box[k + 3] - ey, before[i * 3 + 1])
+  // What is slower knocks nothing out of its box: in a jam all is pushed, and what is pushed back has nowhere to go.
+  const fast = speed * STEP > SKIN
+  let backX = between(x, box[k] + ex, box[k + 2] - ex)
+  let backY = between(y, box[k + 1] + ey, box[k + 3] - ey)
+  if (fast) {
+    // Turned meanwhile it may reach over the edge where it came from: behind that is what it has bounced off.
+    backX = between(before[i * 3], Math.min(x, backX), Math.max(x, backX))
+    backY = between(before[i * 3 + 1], Math.min(y, backY), Math.max(y, backY))
+  }
   let share = 1
   if (backX !== x || backY !== y) {
     state[s + X] = backX
@@ -184,13 +191,12 @@ export function keepBack(scene: Scene, pairs: Pairs, i: number): void {
   keepInside(scene, i)
   const dx = state[s + X] - x
   const dy = state[s + Y] - y
-  // What others merely press into a wall is put back as well, but then what lies on it has nowhere to go.
-  if (share < 1 || (scene.lively && Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
+  if (fast && (share < 1 || Math.abs(dx) + Math.abs(dy) > MARGIN)) keepBehind(scene, pairs, i, dx, dy)
 }
 
-/** `at`, no less than `low` and no more than `high`, but where it came `from`: turned since, a chip may reach over the edge there, and behind that is what it has bounced off. */
-function between(at: number, low: number, high: number, from: number): number {
-  return Math.max(Math.min(at, Math.max(high, from)), Math.min(low, from))
+/** `at`, no less than `low` and no more than `high`. */
+function between(at: number, low: number, high: number): number {
+  return Math.max(Math.min(at, high), low)
 }
 
 /** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two came nearer. */
@@ -216,9 +222,8 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
       along * nx * (state[k * STATE + X] - before[k * 3]) +
       along * ny * (state[k * STATE + Y] - before[k * 3 + 1]) +
       shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
-    const back = nx * dx + ny * dy - touch[DISTANCE]
-    // What was in it before is left to be parted.
-    if (!(back > 0 && back < came(i, 1) + came(j, -1))) continue
+    const back = Math.min(came(i, 1) + came(j, -1), nx * dx + ny * dy - touch[DISTANCE])
+    if (!(back > 0)) continue
     const x = state[t + X]
     const y = state[t + Y]
     state[t + X] += back * nx

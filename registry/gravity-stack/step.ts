@@ -195,7 +195,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   }
   const deep = separate(simulation, live, c0, end)
   if (speed <= JAMMED) unjam(simulation, deep, b0, b1, c0, end)
-  for (let n = b0; n < b1; n++) keepBack(simulation, pairs, islands.bodies[n])
+  for (let n = b0; n < b1; n++) keepBack(simulation, pairs, islands.bodies[n], speed)
   if (!free) holdEnergy(simulation, dull, b0, b1)
 }
 
