@@ -26,9 +26,8 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
     const near = new IntersectionObserver(
       async ([entry]) => {
         if (!entry.isIntersecting) return
-        const Example = await load(name)
         near.disconnect()
-        if (render.current) return
+        const Example = await load(name)
         const root = hydrateRoot(element, <Example key={0} />)
         render.current = (drop) => root.render(<Example key={drop} />)
       },

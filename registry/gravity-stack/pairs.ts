@@ -224,12 +224,10 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
       shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
     const back = Math.min(came(i, 1) + came(j, -1), nx * dx + ny * dy - touch[DISTANCE])
     if (!(back > 0)) continue
-    const x = state[t + X]
-    const y = state[t + Y]
     state[t + X] += back * nx
     state[t + Y] += back * ny
     keepInside(scene, j)
-    keepBehind(scene, pairs, j, state[t + X] - x, state[t + Y] - y)
+    keepBehind(scene, pairs, j, back * nx, back * ny)
   }
 }
 
