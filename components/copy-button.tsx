@@ -48,7 +48,7 @@ export function CopyButton({
     }
   }
 
-  const said = { idle: label, copied: 'Copied', failed: 'Could not copy' }[state]
+  const said = { idle: label, copied: 'Copied', failed: 'Not copied' }[state]
   return (
     <>
       <button

@@ -26,9 +26,10 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
     const near = new IntersectionObserver(
       async ([entry]) => {
         if (!entry.isIntersecting) return
-        near.disconnect()
         const Example = await load(name)
-        const root = hydrateRoot(element, <Example key={0} />)
+        near.disconnect()
+        if (render.current) return
+        const root = hydrateRoot(element, <Example />)
         render.current = (drop) => root.render(<Example key={drop} />)
       },
       { rootMargin: '200px' },
