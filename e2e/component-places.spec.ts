@@ -86,13 +86,17 @@ test('when the stage becomes narrower or lower, walls and floor move and the pil
 })
 
 for (const kind of ['zero', 'hidden']) {
-  test(`a stage that begins ${kind === 'zero' ? 'without size' : 'hidden'} drops its chips once it is shown, and survives vanishing`, async ({
+  test(`a stage that begins ${kind === 'zero' ? 'without size, as a developer is told,' : 'hidden'} drops its chips once it is shown, and survives vanishing`, async ({
     stage,
     page,
   }) => {
     await stage.open('places', { kind })
     await page.evaluate(() => window.probe.pass(10))
     expect(new Set(await stage.states())).toEqual(new Set(['waiting']))
+    const warnings = await stage.probe((probe) => probe.warnings)
+    // What is hidden may well be so on purpose.
+    if (kind === 'hidden') expect(warnings).toEqual([])
+    else expect(warnings.join()).toMatch(/400 px wide and 0 px high, so nothing falls .+ Give it a height/)
     await page.locator('#next').click()
     await stage.reaches('resting')
     const { poses } = await stage.pile()

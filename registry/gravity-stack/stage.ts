@@ -877,6 +877,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
+    if (process.env.NODE_ENV !== 'production' && inView && !(root.clientWidth * root.clientHeight))
+      warn(
+        `a stage is ${root.clientWidth} px wide and ${root.clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
+      )
     const area = shown.width * shown.height
     // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
