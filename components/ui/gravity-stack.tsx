@@ -1170,6 +1170,11 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
+/** Impulse that contact `c` carries across it, of both its points. */
+function loadOf({ data }: Contacts, c: number): number {
+  return data[c * CONTACT + LOAD] + data[c * CONTACT + SECOND + LOAD]
+}
+
 /** Contact `c` is as if it had never been measured. */
 function forgetContact({ data }: Contacts, c: number): void {
   data.fill(0, c * CONTACT, (c + 1) * CONTACT)
@@ -2778,6 +2783,9 @@ function rest(islands: Islands, scene: Scene): void {
       still[r + 1] = state[s + Y]
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
+      // What leans on a chip in a hand has yet to find its place: the hand may go, and it would hang there.
+      for (let edge = held[i] > 0 ? contacts.head[i] : -1; edge >= 0; edge = contacts.next[edge])
+        if (loadOf(contacts, edge >> 1) > 0) still[contacts.pair[edge ^ 1] * 4 + 3] = 0
     } else {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
@@ -2810,7 +2818,7 @@ function rest(islands: Islands, scene: Scene): void {
       const c = islands.near[n]
       const a = contacts.pair[2 * c]
       const b = contacts.pair[2 * c + 1]
-      if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+      if (loadOf(contacts, c) === 0) continue
       if (again === 0) {
         least[a] = -still[a * 4 + 3]
         least[b] = -still[b * 4 + 3]
@@ -2821,7 +2829,7 @@ function rest(islands: Islands, scene: Scene): void {
   for (let n = 0; n < islands.nearCount; n++) {
     const c = islands.near[n]
     const b = contacts.pair[2 * c + 1]
-    if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+    if (loadOf(contacts, c) === 0) continue
     if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
@@ -3182,9 +3190,7 @@ function wake(scene: Scene, i: number): void {
   for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
     for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
-      const k = (edge >> 1) * CONTACT
-      if (bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
-        rouse(bodies, j)
+      if (bodies.asleep[j] === 1 && loadOf(contacts, edge >> 1) > 0) rouse(bodies, j)
     }
   }
 }

@@ -166,6 +166,11 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
+/** Impulse that contact `c` carries across it, of both its points. */
+export function loadOf({ data }: Contacts, c: number): number {
+  return data[c * CONTACT + LOAD] + data[c * CONTACT + SECOND + LOAD]
+}
+
 /** Contact `c` is as if it had never been measured. */
 export function forgetContact({ data }: Contacts, c: number): void {
   data.fill(0, c * CONTACT, (c + 1) * CONTACT)

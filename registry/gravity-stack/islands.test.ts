@@ -121,6 +121,25 @@ describe('a pile falls asleep', () => {
     }
   })
 
+  it('not where it leans on a chip in a hand, once the hand lets go', () => {
+    for (let width = 220; width < 280; width += 5) {
+      const { world, ids } = worldOf([
+        { width: 60, height: 60, radius: 30, x: 320, y: 160, angle: 0 },
+        { width, height: 40, radius: 20, x: 380, y: 120 - width / 2, angle: 1.2 },
+      ])
+      const hand = world.grab(ids[0], 320, 160)
+      run(world, 4)
+      hand.release()
+      settle(world, 600)
+      const { x, y } = world.read(ids[1])
+      // Awake again it stays: it lies on the floor, or against a wall, and not in the air.
+      world.configure({})
+      run(world, 1)
+      const after = world.read(ids[1])
+      expect(Math.hypot(after.x - x, after.y - y), `${width} px`).toBeLessThan(1)
+    }
+  })
+
   it('without gravity too, wherever its chips float', () => {
     const chips = [100, 400].map((x) => ({ ...pill, x, y: 100 }))
     expect(settle(worldOf(chips, { gravity: 0 }).world, 120)).toBeLessThan(120)

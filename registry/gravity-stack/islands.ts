@@ -23,12 +23,11 @@ import {
   DUE,
   FROM_X,
   gapBound,
-  LOAD,
+  loadOf,
   MEASURED,
   measure,
   POINTS,
   type Scene,
-  SECOND,
 } from './contacts'
 import { pull } from './grab'
 
@@ -233,6 +232,9 @@ export function rest(islands: Islands, scene: Scene): void {
       still[r + 1] = state[s + Y]
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
+      // What leans on a chip in a hand has yet to find its place: the hand may go, and it would hang there.
+      for (let edge = held[i] > 0 ? contacts.head[i] : -1; edge >= 0; edge = contacts.next[edge])
+        if (loadOf(contacts, edge >> 1) > 0) still[contacts.pair[edge ^ 1] * 4 + 3] = 0
     } else {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
@@ -265,7 +267,7 @@ export function rest(islands: Islands, scene: Scene): void {
       const c = islands.near[n]
       const a = contacts.pair[2 * c]
       const b = contacts.pair[2 * c + 1]
-      if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+      if (loadOf(contacts, c) === 0) continue
       if (again === 0) {
         least[a] = -still[a * 4 + 3]
         least[b] = -still[b * 4 + 3]
@@ -276,7 +278,7 @@ export function rest(islands: Islands, scene: Scene): void {
   for (let n = 0; n < islands.nearCount; n++) {
     const c = islands.near[n]
     const b = contacts.pair[2 * c + 1]
-    if (contacts.data[c * CONTACT + LOAD] + contacts.data[c * CONTACT + SECOND + LOAD] === 0) continue
+    if (loadOf(contacts, c) === 0) continue
     if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN

@@ -60,6 +60,7 @@ import {
   gapBound,
   LAG,
   LOAD,
+  loadOf,
   MEASURED,
   measure,
   POINTS,
@@ -406,9 +407,7 @@ export function wake(scene: Scene, i: number): void {
   for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
     for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
       const j = contacts.pair[edge ^ 1]
-      const k = (edge >> 1) * CONTACT
-      if (bodies.asleep[j] === 1 && contacts.data[k + LOAD] + contacts.data[k + SECOND + LOAD] > 0)
-        rouse(bodies, j)
+      if (bodies.asleep[j] === 1 && loadOf(contacts, edge >> 1) > 0) rouse(bodies, j)
     }
   }
 }
