@@ -114,6 +114,18 @@ test('children of any kind make chips, or none, that fall and rest; those beside
   expect(await stage.probe((probe) => probe.warnings)).toEqual([])
 })
 
+for (const react of ['18', '19']) {
+  test(`React ${react} asks for the keys of a list of chips that has none, and for no others`, async ({
+    stage,
+  }) => {
+    const told = () => stage.probe((probe) => probe.errors.splice(0))
+    await stage.settled('inputs', { react, children: 'array fragment number blanks' })
+    expect(await told()).toEqual([])
+    await stage.settled('inputs', { react, children: 'unkeyed' })
+    expect((await told()).join()).toContain('should have a unique "key" prop')
+  })
+}
+
 for (const kind of ['component', 'portal', 'zero', 'flat', 'undisplayed', 'absolute', 'image']) {
   test(`a child of the kind "${kind}", which has no size, waits until it has one and does no harm to the others`, async ({
     stage,

@@ -413,6 +413,25 @@ test('chips come down while the stagger changes with every frame', async ({ stag
   await expect(stage.chips.nth(2)).not.toHaveAttribute('data-state', 'waiting')
 })
 
+test('what one reads stays where it is when the page grows above the stage, in mid-fall and at rest', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('pile', { above: 1000, below: 2000, shaker: true })
+  await page.evaluate(() => scrollTo(0, 1100))
+  await stage.reaches('running')
+  for (const state of ['running', 'resting']) {
+    await stage.reaches(state)
+    const before = await stage.root.boundingBox()
+    await page.evaluate(async () => {
+      const above = document.querySelector<HTMLElement>('main > div')!
+      above.style.height = `${above.offsetHeight + 100}px`
+      await window.probe.pass(3)
+    })
+    expect((await stage.root.boundingBox())!.y, state).toBe(before!.y)
+  }
+})
+
 test('a held chip stays with a pointer that stands still while the page scrolls', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'tall' })
   const chip = stage.chip('two')
