@@ -27,6 +27,9 @@ export function InstallWay({ of, children }: { of: 'cli' | 'manual'; children: R
       data-choice-panel={of}
       className="prose mt-5"
     >
+      <p className="hidden font-medium [@media(scripting:none)]:block">
+        {of === 'cli' ? 'With the CLI:' : 'By hand:'}
+      </p>
       {children}
     </div>
   )

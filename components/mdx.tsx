@@ -45,7 +45,9 @@ const components: Record<string, unknown> = {
       {...props}
       className={
         typeof children === 'string' && /^(\S{1,28}|.{1,12})$/.test(children)
-          ? `whitespace-nowrap ${children.length > 16 ? 'max-sm:in-[td]:whitespace-normal' : ''}`
+          ? children.length > 16
+            ? 'sm:whitespace-nowrap max-sm:wrap-anywhere'
+            : 'whitespace-nowrap'
           : undefined
       }
     >

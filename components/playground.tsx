@@ -460,9 +460,7 @@ export function Playground() {
           <span className="font-mono text-muted-foreground text-xs">pile.tsx</span>
           <CopyButton />
         </div>
-        <div className="[&>pre]:max-h-[32rem]">
-          <LiveCode code={code} />
-        </div>
+        <LiveCode code={code} />
       </div>
     </div>
   )

@@ -15,6 +15,16 @@ export function SiteFooter() {
             </a>
           </li>
           <li>
+            <a href="/playground" className="hover:text-foreground">
+              Playground
+            </a>
+          </li>
+          <li>
+            <a href="/benchmarks" className="hover:text-foreground">
+              Benchmarks
+            </a>
+          </li>
+          <li>
             <a href="/r/registry.json" className="hover:text-foreground">
               Registry
             </a>

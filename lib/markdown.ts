@@ -1,11 +1,13 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { browserHead, browserRows } from '@/app/benchmarks/browser'
-import { results, verdictHead, verdictWords } from '@/app/benchmarks/data'
-import { verdicts } from '@/bench/report'
+import { defaultCosts, results, sizes, verdictHead, verdictWords } from '@/app/benchmarks/data'
+import { engineOrder, looks } from '@/app/benchmarks/engines'
+import { ours, verdicts } from '@/bench/report'
 import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
+import { figure } from './figure'
 import { heroCode } from './hero-code'
 import { facts, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
@@ -161,6 +163,29 @@ const benchmarks = () =>
         const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
         return [`${scene.title}: ${scene.measures[measure].name}`, error, cost, asCheap, asExact, frontier]
       }),
+    ),
+    '## What a frame costs',
+    'µs in the mean of four seconds, of which the first 1.5 s are fall and landing; no chip sleeps.',
+    table(
+      ['Engine', ...sizes.map((size) => `${size} chips`)],
+      engineOrder.map((engine) => [
+        looks[engine].title,
+        ...sizes.map((size) => {
+          const row = defaultCosts.find((other) => other.engine === engine && other.chips === size)
+          if (row?.cost) return figure(row.cost.mean)
+          return row?.atLeast ? `> ${figure(row.atLeast)}` : '–'
+        }),
+      ]),
+    ),
+    '## What a page has to load',
+    table(
+      ['What', 'kB, gzipped'],
+      results.bytes.map(({ name, gzip }) => [
+        name === ours
+          ? 'Gravity Stack, the solver alone'
+          : (looks[name]?.title ?? 'Gravity Stack, the whole component'),
+        (gzip / 1000).toFixed(1),
+      ]),
     ),
     '## In a browser',
     table(

@@ -198,9 +198,9 @@ export default function Benchmarks() {
         <Section id="chips">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
             Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four
-            seconds: fall, landing and rest. Above, a pour of up to 60 is timed for six, of which it lies
-            still for longer. Each engine at its default setting. A pour was stopped after 24 seconds, or
-            skipped where it clearly would take longer; &gt; marks a lower bound.
+            seconds: fall, landing and rest. In the claim’s table a pour of up to 60 chips is timed for six
+            seconds, more of which it lies still. Each engine at its default setting. A pour was stopped after
+            24 seconds, or skipped where it clearly would take longer; &gt; marks a lower bound.
           </p>
           <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 2xl:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
             <figure className="w-full max-w-xl rounded-2xl border bg-panel p-3">
@@ -350,7 +350,9 @@ function Download({ file }: { file: string }) {
 const circumstances = [
   results.resumed ? 'in several sittings' : `in one run of ${Math.round(results.minutes)} minutes`,
   ...(results.kept > 0
-    ? [`${Math.round(100 * results.kept)} % of the films, which come out the same, from runs before`]
+    ? [
+        `${Math.round(100 * results.kept)} % of the simulated runs, which come out the same each time, kept from before`,
+      ]
     : []),
   ...(results.others > 0.02
     ? [`other work taking ${Math.round(100 * results.others)} % of the machine meanwhile`]

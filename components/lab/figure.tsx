@@ -41,12 +41,14 @@ export function Figure({
   const [near, setNear] = useState(false)
   const last = frames - 1
   const shown = Math.min(at, last)
+  /** Where a figure that nobody plays has the most to show. */
+  const towardsEnd = Math.round(0.7 * last)
   const [filmBefore, setFilmBefore] = useState(film)
   const paint = useRef(() => {})
 
   if (film !== filmBefore) {
     setFilmBefore(film)
-    setAt(0)
+    setAt(stillMotion() ? towardsEnd : 0)
     setPlaying(!stillMotion())
   }
 
@@ -95,24 +97,25 @@ export function Figure({
     const print = () =>
       flushSync(() => {
         setNear(true)
-        setAt((current) => current || Math.round(0.7 * last))
+        setAt((current) => current || towardsEnd)
       })
     window.addEventListener('beforeprint', print)
     return () => window.removeEventListener('beforeprint', print)
-  }, [last])
+  }, [towardsEnd])
 
   useEffect(() => {
     const seen = new IntersectionObserver(
       ([entry]) => {
         if (!entry.isIntersecting) return
-        if (!stillMotion()) setPlaying(true)
+        if (stillMotion()) setAt((current) => current || towardsEnd)
+        else setPlaying(true)
         seen.disconnect()
       },
       { threshold: 0.6 },
     )
     seen.observe(canvas.current!)
     return () => seen.disconnect()
-  }, [])
+  }, [towardsEnd])
 
   useEffect(() => {
     if (!playing) return

@@ -6,7 +6,7 @@ import { createStage, type Stage } from './stage'
 export interface GravityStackActions {
   /** Drops all chips again, even when paused; does nothing before the stage has first come into view. */
   drop: () => void
-  /** Throws the chips up to 230 px into the air; when paused, once it goes on. */
+  /** Throws the chips up to 230 px into the air; while paused, on `resume`. */
   shake: () => void
   /** Freezes the chips where they are. */
   pause: () => void
