@@ -173,6 +173,8 @@ const GRAB_SAG = 4
 /** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
 const THROW_WINDOW = 0.08
 const THROW_SLACK = 16
+/** s after the pointer's last move until word of the same place counts as a stop. */
+const THROW_PAUSE = 0.025
 /** px/s of the pointer from which a chip leaves with its velocity alone. */
 const THROW_SPEED = 200
 /** px/s, the most a chip keeps when it is let go. */
@@ -287,18 +289,15 @@ class Bodies {
   jams: Int32Array = new Int32Array(1)
 }
 
-/** Copies `from` into a new array of `length`. */
-function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T, length: number): T {
-  const to = new (from.constructor as new (length: number) => T)(length)
-  to.set(from)
-  return to
-}
-
 /** Makes every array of `owner` so many times as long. */
 function grow(owner: object, times: number): void {
   const named = owner as Record<string, Int32Array>
-  for (const name in named)
-    if (ArrayBuffer.isView(named[name])) named[name] = grown(named[name], named[name].length * times)
+  for (const name in named) {
+    const from = named[name]
+    if (!ArrayBuffer.isView(from)) continue
+    named[name] = new (from.constructor as typeof Int32Array)(from.length * times)
+    named[name].set(from)
+  }
 }
 
 /**
@@ -991,10 +990,13 @@ function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void
 
 /** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
 function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  const samples = hold.samples
+  const since = seconds - (samples[samples.length - 1]?.seconds ?? -Infinity)
+  // Who lets go of a button says where it was a little after the last move: that is no stop.
+  if (x === hold.x && y === hold.y && since > 0 && since < THROW_PAUSE) return
   hold.x = x
   hold.y = y
   hold.idle = 0
-  const samples = hold.samples
   // A clock may go back, or be too coarse to tell two moves apart.
   while (samples.length > 0 && samples[samples.length - 1]!.seconds >= seconds) samples.pop()
   samples.push({ x, y, seconds })
@@ -1116,6 +1118,14 @@ class Contacts {
   next: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
+  /** Room for lists of them, none of which holds one twice: those that matter in this step, in the order they were found and island by island, and only those that touch in the present sub-step. */
+  near: Int32Array = new Int32Array(4)
+  sorted: Int32Array = new Int32Array(4)
+  live: Int32Array = new Int32Array(4)
+  /** Those that will hit, in the order of their times, s; those of the cluster of impacts under way. */
+  found: Int32Array = new Int32Array(4)
+  times: Float64Array = new Float64Array(4)
+  struck: Int32Array = new Int32Array(4)
 }
 
 /** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
@@ -1405,12 +1415,8 @@ function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
 class Impacts {
-  /** Contacts that will hit, in the order of their times, s. */
-  found: Int32Array = new Int32Array(2)
-  times: Float64Array = new Float64Array(2)
   foundCount = 0
   /** Contacts of the cluster under way: those of them that come first, and what these spread to. */
-  list: Int32Array = new Int32Array(2)
   count = 0
   /** Bodies it reached; of each body its velocities before (3 each) and the time of its first impact, s. */
   bodies: Int32Array = new Int32Array(1)
@@ -1483,9 +1489,8 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
 
 /** Takes contact `c`, which hits at time `when`, into the cluster. */
 function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
-  const { data: d, mark, pair } = scene.contacts
-  if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
-  impacts.list[impacts.count++] = c
+  const { data: d, mark, pair, struck } = scene.contacts
+  struck[impacts.count++] = c
   mark[c] = impacts.phase
   const k = c * CONTACT
   d[k + HIT] = d[k + SECOND + HIT] = d[k + HIT_T] = 0
@@ -1567,11 +1572,7 @@ function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): vo
   }
   if (!hits) return
   impacts.fastest = Math.max(impacts.fastest, ahead.speed)
-  if (impacts.foundCount >= impacts.found.length) {
-    impacts.found = grown(impacts.found, impacts.foundCount * 2)
-    impacts.times = grown(impacts.times, impacts.foundCount * 2)
-  }
-  const { found, times } = impacts
+  const { found, times, mark } = scene.contacts
   let n = impacts.foundCount++
   for (; n > 0 && times[n - 1] > ahead.time; n--) {
     found[n] = found[n - 1]
@@ -1579,14 +1580,14 @@ function enterImpact(impacts: Impacts, scene: Scene, c: number, way: number): vo
   }
   found[n] = c
   times[n] = ahead.time
-  scene.contacts.mark[c] = impacts.phase
+  mark[c] = impacts.phase
 }
 
 /** Of two hits of one body the later is put off to the next round, if there is one: the first changes what comes of it. */
 function enlistFirst(impacts: Impacts, scene: Scene, last: boolean): void {
   const phase = ++impacts.phase
-  const { found, foundCount, times, when, mark } = impacts
-  const { pair } = scene.contacts
+  const { foundCount, when, mark } = impacts
+  const { found, pair, times } = scene.contacts
   const slack = last ? Infinity : IMPACT_TOUCH / impacts.fastest
   for (let n = 0; n < foundCount; n++) {
     const c = found[n]
@@ -1628,10 +1629,9 @@ function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
     const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
     const reach = exact ? 1 : furthest(further, n, sweeps)
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
-    const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
-      const c = impacts.list[i]
+      const c = contacts.struck[i]
       hit(scene, c, reach)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
@@ -1642,7 +1642,7 @@ function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
     }
     scene.work[HITS] += impacts.count
     if (most > RUNAWAY * impacts.fastest) further = 1
-    if (most < still && impacts.count === before) break
+    if (most < still) break
   }
   keepEnergy(impacts, scene)
   for (let n = 0; n < impacts.bodyCount; n++) {
@@ -1789,7 +1789,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
     }
   }
   // Kinetic energy after a share α of the impulses: E + α·linear + ½α²·square.
-  if (linear + 0.5 * square <= 0 || square === 0) return
+  if (linear + 0.5 * square <= 0) return
   const share = Math.max(0, (-2 * linear) / square)
   for (let n = 0; n < impacts.bodyCount; n++) {
     const i = impacts.bodies[n]
@@ -1921,18 +1921,15 @@ function prepare(
       }
       if (d[k + POINTS] === 0) continue
     }
-    live[end++] = c
     // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
     const speed = d[k + NX] * vx + d[k + NY] * vy + enough
     const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
     const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
     if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
       enterImpact(impacts, scene, c, nearing(scene, c))
-      if (d[k + POINTS] === 0) {
-        end--
-        continue
-      }
+      if (d[k + POINTS] === 0) continue
     }
+    live[end++] = c
     close(scene, c)
   }
   return impacts.foundCount > 0 ? bounce(scene, impacts, list, live, from, to) : end
@@ -2266,8 +2263,8 @@ function separate(scene: Scene, list: Int32Array, from: number, to: number): num
   return deep
 }
 
-/** The contact among `list[from..to)` whose two chips are deepest in one another, −1 if none is wedged. */
-function deepest(scene: Scene, list: Int32Array, from: number, to: number): number {
+/** Side by side between what gives way to nothing there is no room: of the two chips among the contacts `list[from..to)` that are deepest in one another, if any are wedged, the higher goes up. */
+function liftWedged(scene: Scene, list: Int32Array, from: number, to: number): void {
   const { bodies, contacts } = scene
   let worst = -1
   let least = -WEDGED
@@ -2282,13 +2279,10 @@ function deepest(scene: Scene, list: Int32Array, from: number, to: number): numb
       worst = c
     }
   }
-  return worst
-}
-
-/** Side by side between what gives way to nothing there is no room: the higher chip of contact `c` goes up. */
-function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void {
-  const a = pair[2 * c] * STATE + Y
-  const b = pair[2 * c + 1] * STATE + Y
+  if (worst < 0) return
+  const { state } = bodies
+  const a = contacts.pair[2 * worst] * STATE + Y
+  const b = contacts.pair[2 * worst + 1] * STATE + Y
   state[state[a] < state[b] ? a : b] -= MAX_PUSH
 }
 
@@ -2365,7 +2359,7 @@ class Pairs {
 function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
   contacts.head[i] = -1
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
-  pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
+  pairs.box[i * 4] = Infinity
   pairs.order[pairs.sorted++] = i
 }
 
@@ -2590,16 +2584,12 @@ class Islands {
   parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array = new Float64Array(1)
-  /** Contacts that matter in this step. A pile has three or four a body, so that these hardly ever grow in the middle of it. */
-  near: Int32Array = new Int32Array(6)
+  /** Contacts that matter in this step. */
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
   count = 0
   bodies: Int32Array = new Int32Array(1)
   bodyStart: Int32Array = new Int32Array(2)
-  contacts: Int32Array = new Int32Array(6)
-  /** The same, only those that touch in the present sub-step. */
-  live: Int32Array = new Int32Array(6)
   contactStart: Int32Array = new Int32Array(2)
   /** Sleepers that something may be knocked into in this step. */
   struck: Int32Array = new Int32Array(1)
@@ -2634,7 +2624,7 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): b
 function findIslands(islands: Islands, scene: Scene): void {
   const { parent, reach } = islands
   const { awake, awakeCount: count } = scene.bodies
-  const pair = scene.contacts.pair
+  const { mark, near, pair, sorted } = scene.contacts
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
@@ -2648,10 +2638,10 @@ function findIslands(islands: Islands, scene: Scene): void {
   // what that may touch in its turn.
   let grows = true
   while (grows) grows = gather(islands, scene, true)
-  for (let n = 0; n < islands.nearCount; n++) scene.contacts.mark[islands.near[n]] = 0
+  for (let n = 0; n < islands.nearCount; n++) mark[near[n]] = 0
 
   // Bodies, then contacts, sorted by island.
-  const { number, bodyStart, contactStart, near, nearCount } = islands
+  const { number, bodyStart, contactStart, nearCount } = islands
   let islandCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -2662,17 +2652,11 @@ function findIslands(islands: Islands, scene: Scene): void {
     }
   }
   islands.count = islandCount
-  bodyStart[0] = 0
-  contactStart[0] = 0
   for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
   for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, pair[2 * near[n] + 1])] + 1]++
   for (let n = 0; n < islandCount; n++) {
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
-  }
-  if (islands.contacts.length < nearCount) {
-    islands.contacts = new Int32Array(islands.near.length)
-    islands.live = new Int32Array(islands.near.length)
   }
   // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
   for (let n = count - 1; n >= 0; n--) {
@@ -2681,7 +2665,7 @@ function findIslands(islands: Islands, scene: Scene): void {
   }
   for (let n = nearCount - 1; n >= 0; n--) {
     const island = number[find(parent, pair[2 * near[n] + 1])]
-    islands.contacts[--contactStart[island + 1]] = near[n]
+    sorted[--contactStart[island + 1]] = near[n]
   }
   // Each start now stands one place to the right.
   for (let n = 0; n < islandCount; n++) {
@@ -2700,7 +2684,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
   const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
-  const { data: d, head, mark, next, pair } = contacts
+  const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
@@ -2750,8 +2734,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
         continue
       }
       mark[c] = -1
-      if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
-      islands.near[islands.nearCount++] = c
+      near[islands.nearCount++] = c
       if (j > 0 && unite(parent, reach, i, j)) grew = true
       const root = find(parent, i)
       if (go > reach[root]) reach[root] = go
@@ -2769,7 +2752,8 @@ function rest(islands: Islands, scene: Scene): void {
   const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
-  let ready = false
+  const grasped = scene.holds.length > 0
+  let ready = grasped
   for (let n = 0; n < count; n++) {
     const i = awake[n]
     const s = i * STATE
@@ -2783,9 +2767,6 @@ function rest(islands: Islands, scene: Scene): void {
       still[r + 1] = state[s + Y]
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
-      // What leans on a chip in a hand has yet to find its place: the hand may go, and it would hang there.
-      for (let edge = held[i] > 0 ? contacts.head[i] : -1; edge >= 0; edge = contacts.next[edge])
-        if (loadOf(contacts, edge >> 1) > 0) still[contacts.pair[edge ^ 1] * 4 + 3] = 0
     } else {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
@@ -2815,7 +2796,7 @@ function rest(islands: Islands, scene: Scene): void {
   }
   for (let again = 0; again < 2; again++) {
     for (let n = 0; n < islands.nearCount; n++) {
-      const c = islands.near[n]
+      const c = contacts.near[n]
       const a = contacts.pair[2 * c]
       const b = contacts.pair[2 * c + 1]
       if (loadOf(contacts, c) === 0) continue
@@ -2827,7 +2808,7 @@ function rest(islands: Islands, scene: Scene): void {
   }
   // What a blow in this very step has lifted would hang there.
   for (let n = 0; n < islands.nearCount; n++) {
-    const c = islands.near[n]
+    const c = contacts.near[n]
     const b = contacts.pair[2 * c + 1]
     if (loadOf(contacts, c) === 0) continue
     if (!rested(islands, b)) continue
@@ -2843,7 +2824,11 @@ function rest(islands: Islands, scene: Scene): void {
     if (rested(islands, i)) {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
-    } else awake[bodies.awakeCount++] = i
+    } else {
+      // The hand that keeps it awake may go, and what leans on the chip in it would hang there.
+      if (grasped) still[i * 4 + 3] = -least[find(parent, i)]
+      awake[bodies.awakeCount++] = i
+    }
   }
 }
 
@@ -2901,10 +2886,9 @@ class Simulation extends Scene {
 /** One step of all that is awake. */
 function stepOnce(simulation: Simulation): void {
   const { bodies, pairs, islands, work } = simulation
-  const { state, before, awake, undrawn } = bodies
+  const { state, before, awake } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
-    undrawn[i] = 1
     before[i * 3] = state[i * STATE + X]
     before[i * 3 + 1] = state[i * STATE + Y]
     before[i * 3 + 2] = state[i * STATE + ANGLE]
@@ -2950,8 +2934,8 @@ function fly(simulation: Simulation, i: number): void {
 
 /** One island through the step. */
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
-  const { bodies, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
-  const { live } = islands
+  const { bodies, contacts, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
+  const { live, sorted } = contacts
   const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
   const held = grabbed.length > 0
   const speed = fastest(simulation, b0, b1)
@@ -2968,7 +2952,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     simulation.relaxation = relaxation
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
-    end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
+    end = prepare(simulation, impacts, sorted, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
     const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
@@ -3026,7 +3010,7 @@ function converge(
   c0: number,
   end: number,
 ): boolean {
-  const { bodies, h, islands, crushing, speed, work } = simulation
+  const { bodies, contacts, h, crushing, speed, work } = simulation
   const unequal = simulation.uneven > UNEVEN
   const lap = end - c0 + 1
   let further = simulation.relaxation
@@ -3037,7 +3021,7 @@ function converge(
       solveHold(bodies, grabbed[g]!, h, simulation.gravity)
       bodies.stirred[grabbed[g]!.body] = latest = k * lap
     }
-    latest = sweep(simulation, islands.live, c0, end, k * lap, latest)
+    latest = sweep(simulation, contacts.live, c0, end, k * lap, latest)
     work[SWEPT]++
     // Where friction or a third chip has a say, it may not converge.
     if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
@@ -3063,7 +3047,8 @@ function holdEnergy(simulation: Simulation, dull: boolean, b0: number, b1: numbe
 
 /** Parts an island that its step has left `deep`, as often as its masses ask; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
 function unjam(simulation: Simulation, deep: number, b0: number, b1: number, c0: number, end: number): void {
-  const { live, bodies } = simulation.islands
+  const { bodies } = simulation.islands
+  const { live } = simulation.contacts
   const { jams } = simulation.bodies
   let steps = 0
   for (let n = b0; n < b1; n++) steps = Math.max(steps, jams[bodies[n]])
@@ -3071,9 +3056,7 @@ function unjam(simulation: Simulation, deep: number, b0: number, b1: number, c0:
   const partings = steps < PATIENCE ? most : Math.max(most, PARTING_BUDGET / (end - c0))
   for (let n = partings; n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
   for (let n = b0; n < b1; n++) jams[bodies[n]] = deep > 0 ? steps + 1 : 0
-  if (deep === 0 || steps < PATIENCE) return
-  const worst = deepest(simulation, live, c0, end)
-  if (worst >= 0) lift(simulation, worst)
+  if (deep > 0 && steps >= PATIENCE) liftWedged(simulation, live, c0, end)
 }
 
 /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
@@ -3134,7 +3117,7 @@ function warmStart(
   }
   const d = contacts.data
   for (let n = c0; n < c1; n++) {
-    const c = islands.contacts[n]
+    const c = contacts.sorted[n]
     const k = c * CONTACT
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
@@ -3174,8 +3157,7 @@ function makeRoom(simulation: Simulation): void {
       return
     }
     // A row between two walls that come nearer has room upwards only.
-    const worst = deepest(simulation, list, 0, count)
-    if (worst >= 0) lift(simulation, worst)
+    liftWedged(simulation, list, 0, count)
   }
 }
 
@@ -3500,7 +3482,6 @@ function createWorld(options: WorldOptions) {
   /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
-    bodies.undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
       forgetContact(contacts, edge >> 1)
   }

@@ -101,18 +101,15 @@ export class Bodies {
   jams: Int32Array = new Int32Array(1)
 }
 
-/** Copies `from` into a new array of `length`. */
-export function grown<T extends Float64Array | Int32Array | Uint8Array>(from: T, length: number): T {
-  const to = new (from.constructor as new (length: number) => T)(length)
-  to.set(from)
-  return to
-}
-
 /** Makes every array of `owner` so many times as long. */
 export function grow(owner: object, times: number): void {
   const named = owner as Record<string, Int32Array>
-  for (const name in named)
-    if (ArrayBuffer.isView(named[name])) named[name] = grown(named[name], named[name].length * times)
+  for (const name in named) {
+    const from = named[name]
+    if (!ArrayBuffer.isView(from)) continue
+    named[name] = new (from.constructor as typeof Int32Array)(from.length * times)
+    named[name].set(from)
+  }
 }
 
 /**

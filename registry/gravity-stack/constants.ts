@@ -161,6 +161,8 @@ export const GRAB_SAG = 4
 /** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
 export const THROW_WINDOW = 0.08
 export const THROW_SLACK = 16
+/** s after the pointer's last move until word of the same place counts as a stop. */
+export const THROW_PAUSE = 0.025
 /** px/s of the pointer from which a chip leaves with its velocity alone. */
 export const THROW_SPEED = 200
 /** px/s, the most a chip keeps when it is let go. */

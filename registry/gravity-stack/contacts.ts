@@ -112,6 +112,14 @@ export class Contacts {
   next: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
   mark: Int32Array = new Int32Array(4)
+  /** Room for lists of them, none of which holds one twice: those that matter in this step, in the order they were found and island by island, and only those that touch in the present sub-step. */
+  near: Int32Array = new Int32Array(4)
+  sorted: Int32Array = new Int32Array(4)
+  live: Int32Array = new Int32Array(4)
+  /** Those that will hit, in the order of their times, s; those of the cluster of impacts under way. */
+  found: Int32Array = new Int32Array(4)
+  times: Float64Array = new Float64Array(4)
+  struck: Int32Array = new Int32Array(4)
 }
 
 /** What a world is made of, and what it is like there. Numbers that may be fractions begin as ones: a change would cost the compiled code. */

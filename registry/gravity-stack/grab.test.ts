@@ -217,6 +217,21 @@ describe('a chip let go', () => {
     }
   })
 
+  it('leaves with the speed of the pointer, though the button comes up a little after the last move', () => {
+    for (const rate of [60, 120])
+      for (const late of [0.004, 0.008, 0.016, 0.02]) {
+        const { world, ids } = worldOf([{ ...pill, x: 200, y: 100 }], { width: 4000 })
+        const grab = world.grab(ids[0], 200, 100)
+        for (let k = 0; k <= rate / 3; k++) {
+          grab.moveTo(200 + (1000 * k) / rate, 100, k / rate)
+          world.step(1 / rate)
+        }
+        grab.moveTo(200 + 1000 / 3, 100, 1 / 3 + late)
+        grab.release()
+        expect(world.read(ids[0]).vx, `${1000 * late} ms at ${rate} Hz`).toBeCloseTo(1000, 3)
+      }
+  })
+
   it('leaves with the speed of the pointer when it is flicked by its end between two frames', () => {
     const { world, ids } = worldOf([{ ...pill, width: 240, x: 320, y: 100 }])
     const grab = world.grab(ids[0], 430, 100)

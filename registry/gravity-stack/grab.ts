@@ -27,6 +27,7 @@ import {
   GRAB_STRENGTH,
   MAX_TOSS,
   STEP,
+  THROW_PAUSE,
   THROW_SLACK,
   THROW_SPEED,
   THROW_WINDOW,
@@ -166,10 +167,13 @@ export function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number
 
 /** Notes where the pointer is at time `seconds`; samples older than the window are dropped. */
 export function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
+  const samples = hold.samples
+  const since = seconds - (samples[samples.length - 1]?.seconds ?? -Infinity)
+  // Who lets go of a button says where it was a little after the last move: that is no stop.
+  if (x === hold.x && y === hold.y && since > 0 && since < THROW_PAUSE) return
   hold.x = x
   hold.y = y
   hold.idle = 0
-  const samples = hold.samples
   // A clock may go back, or be too coarse to tell two moves apart.
   while (samples.length > 0 && samples[samples.length - 1]!.seconds >= seconds) samples.pop()
   samples.push({ x, y, seconds })

@@ -1,5 +1,4 @@
 import {
-  grown,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -56,12 +55,8 @@ import {
  * what the change would have moved too early. Exact for a single impact, at any step.
  */
 export class Impacts {
-  /** Contacts that will hit, in the order of their times, s. */
-  found: Int32Array = new Int32Array(2)
-  times: Float64Array = new Float64Array(2)
   foundCount = 0
   /** Contacts of the cluster under way: those of them that come first, and what these spread to. */
-  list: Int32Array = new Int32Array(2)
   count = 0
   /** Bodies it reached; of each body its velocities before (3 each) and the time of its first impact, s. */
   bodies: Int32Array = new Int32Array(1)
@@ -134,9 +129,8 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
 
 /** Takes contact `c`, which hits at time `when`, into the cluster. */
 function enlist(impacts: Impacts, scene: Scene, c: number, when: number): void {
-  const { data: d, mark, pair } = scene.contacts
-  if (impacts.count >= impacts.list.length) impacts.list = grown(impacts.list, impacts.count * 2)
-  impacts.list[impacts.count++] = c
+  const { data: d, mark, pair, struck } = scene.contacts
+  struck[impacts.count++] = c
   mark[c] = impacts.phase
   const k = c * CONTACT
   d[k + HIT] = d[k + SECOND + HIT] = d[k + HIT_T] = 0
@@ -218,11 +212,7 @@ export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: numb
   }
   if (!hits) return
   impacts.fastest = Math.max(impacts.fastest, ahead.speed)
-  if (impacts.foundCount >= impacts.found.length) {
-    impacts.found = grown(impacts.found, impacts.foundCount * 2)
-    impacts.times = grown(impacts.times, impacts.foundCount * 2)
-  }
-  const { found, times } = impacts
+  const { found, times, mark } = scene.contacts
   let n = impacts.foundCount++
   for (; n > 0 && times[n - 1] > ahead.time; n--) {
     found[n] = found[n - 1]
@@ -230,14 +220,14 @@ export function enterImpact(impacts: Impacts, scene: Scene, c: number, way: numb
   }
   found[n] = c
   times[n] = ahead.time
-  scene.contacts.mark[c] = impacts.phase
+  mark[c] = impacts.phase
 }
 
 /** Of two hits of one body the later is put off to the next round, if there is one: the first changes what comes of it. */
 function enlistFirst(impacts: Impacts, scene: Scene, last: boolean): void {
   const phase = ++impacts.phase
-  const { found, foundCount, times, when, mark } = impacts
-  const { pair } = scene.contacts
+  const { foundCount, when, mark } = impacts
+  const { found, pair, times } = scene.contacts
   const slack = last ? Infinity : IMPACT_TOUCH / impacts.fastest
   for (let n = 0; n < foundCount; n++) {
     const c = found[n]
@@ -279,10 +269,9 @@ export function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
     const still = exact ? 1e-11 : Math.max(IMPACT_TOLERANCE, share * IMPACT_SHARE * impacts.fastest) / slower
     const reach = exact ? 1 : furthest(further, n, sweeps)
     impacts.passOn = Math.max(IMPACT_SPREAD, share * IMPACT_SPREAD_SHARE * impacts.fastest)
-    const before = impacts.count
     let most = 0
     for (let i = 0; i < impacts.count; i++) {
-      const c = impacts.list[i]
+      const c = contacts.struck[i]
       hit(scene, c, reach)
       const change = d[c * CONTACT + CHANGE]
       if (change > most) most = change
@@ -293,7 +282,7 @@ export function resolve(impacts: Impacts, scene: Scene, last: boolean): void {
     }
     scene.work[HITS] += impacts.count
     if (most > RUNAWAY * impacts.fastest) further = 1
-    if (most < still && impacts.count === before) break
+    if (most < still) break
   }
   keepEnergy(impacts, scene)
   for (let n = 0; n < impacts.bodyCount; n++) {
@@ -440,7 +429,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
     }
   }
   // Kinetic energy after a share α of the impulses: E + α·linear + ½α²·square.
-  if (linear + 0.5 * square <= 0 || square === 0) return
+  if (linear + 0.5 * square <= 0) return
   const share = Math.max(0, (-2 * linear) / square)
   for (let n = 0; n < impacts.bodyCount; n++) {
     const i = impacts.bodies[n]

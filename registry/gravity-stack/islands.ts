@@ -1,20 +1,4 @@
-import {
-  ANGLE,
-  CORE,
-  EXTENT,
-  grown,
-  INDEX,
-  MOTION,
-  SHAPE,
-  SPIN,
-  STATE,
-  speedOf,
-  TRAVEL,
-  VX,
-  VY,
-  X,
-  Y,
-} from './body'
+import { ANGLE, CORE, EXTENT, INDEX, MOTION, SHAPE, SPIN, STATE, speedOf, TRAVEL, VX, VY, X, Y } from './body'
 import { DISTANCE, touch, WIDEST } from './collide'
 import { DEEP, FOLLOW, LOOSE, MARGIN, REST_DISTANCE, REST_TIME, SLOP, STEP } from './constants'
 import {
@@ -39,16 +23,12 @@ export class Islands {
   parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array = new Float64Array(1)
-  /** Contacts that matter in this step. A pile has three or four a body, so that these hardly ever grow in the middle of it. */
-  near: Int32Array = new Int32Array(6)
+  /** Contacts that matter in this step. */
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
   count = 0
   bodies: Int32Array = new Int32Array(1)
   bodyStart: Int32Array = new Int32Array(2)
-  contacts: Int32Array = new Int32Array(6)
-  /** The same, only those that touch in the present sub-step. */
-  live: Int32Array = new Int32Array(6)
   contactStart: Int32Array = new Int32Array(2)
   /** Sleepers that something may be knocked into in this step. */
   struck: Int32Array = new Int32Array(1)
@@ -83,7 +63,7 @@ function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): b
 export function findIslands(islands: Islands, scene: Scene): void {
   const { parent, reach } = islands
   const { awake, awakeCount: count } = scene.bodies
-  const pair = scene.contacts.pair
+  const { mark, near, pair, sorted } = scene.contacts
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = 0
@@ -97,10 +77,10 @@ export function findIslands(islands: Islands, scene: Scene): void {
   // what that may touch in its turn.
   let grows = true
   while (grows) grows = gather(islands, scene, true)
-  for (let n = 0; n < islands.nearCount; n++) scene.contacts.mark[islands.near[n]] = 0
+  for (let n = 0; n < islands.nearCount; n++) mark[near[n]] = 0
 
   // Bodies, then contacts, sorted by island.
-  const { number, bodyStart, contactStart, near, nearCount } = islands
+  const { number, bodyStart, contactStart, nearCount } = islands
   let islandCount = 0
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -111,17 +91,11 @@ export function findIslands(islands: Islands, scene: Scene): void {
     }
   }
   islands.count = islandCount
-  bodyStart[0] = 0
-  contactStart[0] = 0
   for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
   for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, pair[2 * near[n] + 1])] + 1]++
   for (let n = 0; n < islandCount; n++) {
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
-  }
-  if (islands.contacts.length < nearCount) {
-    islands.contacts = new Int32Array(islands.near.length)
-    islands.live = new Int32Array(islands.near.length)
   }
   // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
   for (let n = count - 1; n >= 0; n--) {
@@ -130,7 +104,7 @@ export function findIslands(islands: Islands, scene: Scene): void {
   }
   for (let n = nearCount - 1; n >= 0; n--) {
     const island = number[find(parent, pair[2 * near[n] + 1])]
-    islands.contacts[--contactStart[island + 1]] = near[n]
+    sorted[--contactStart[island + 1]] = near[n]
   }
   // Each start now stands one place to the right.
   for (let n = 0; n < islandCount; n++) {
@@ -149,7 +123,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
   const { bodies, contacts, walls, gravity } = scene
   const { parent, reach } = islands
-  const { data: d, head, mark, next, pair } = contacts
+  const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
@@ -199,8 +173,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
         continue
       }
       mark[c] = -1
-      if (islands.nearCount >= islands.near.length) islands.near = grown(islands.near, islands.nearCount * 2)
-      islands.near[islands.nearCount++] = c
+      near[islands.nearCount++] = c
       if (j > 0 && unite(parent, reach, i, j)) grew = true
       const root = find(parent, i)
       if (go > reach[root]) reach[root] = go
@@ -218,7 +191,8 @@ export function rest(islands: Islands, scene: Scene): void {
   const { state, shape, held, awake, awakeCount: count } = bodies
   const { parent } = islands
   const still = bodies.rest
-  let ready = false
+  const grasped = scene.holds.length > 0
+  let ready = grasped
   for (let n = 0; n < count; n++) {
     const i = awake[n]
     const s = i * STATE
@@ -232,9 +206,6 @@ export function rest(islands: Islands, scene: Scene): void {
       still[r + 1] = state[s + Y]
       still[r + 2] = state[s + ANGLE]
       still[r + 3] = 0
-      // What leans on a chip in a hand has yet to find its place: the hand may go, and it would hang there.
-      for (let edge = held[i] > 0 ? contacts.head[i] : -1; edge >= 0; edge = contacts.next[edge])
-        if (loadOf(contacts, edge >> 1) > 0) still[contacts.pair[edge ^ 1] * 4 + 3] = 0
     } else {
       // Else creep too slow to be seen would keep some chip of a large pile's clock from running out.
       for (let axis = 0; axis < 3; axis++) still[r + axis] += FOLLOW * (state[s + axis] - still[r + axis])
@@ -264,7 +235,7 @@ export function rest(islands: Islands, scene: Scene): void {
   }
   for (let again = 0; again < 2; again++) {
     for (let n = 0; n < islands.nearCount; n++) {
-      const c = islands.near[n]
+      const c = contacts.near[n]
       const a = contacts.pair[2 * c]
       const b = contacts.pair[2 * c + 1]
       if (loadOf(contacts, c) === 0) continue
@@ -276,7 +247,7 @@ export function rest(islands: Islands, scene: Scene): void {
   }
   // What a blow in this very step has lifted would hang there.
   for (let n = 0; n < islands.nearCount; n++) {
-    const c = islands.near[n]
+    const c = contacts.near[n]
     const b = contacts.pair[2 * c + 1]
     if (loadOf(contacts, c) === 0) continue
     if (!rested(islands, b)) continue
@@ -292,7 +263,11 @@ export function rest(islands: Islands, scene: Scene): void {
     if (rested(islands, i)) {
       bodies.asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
-    } else awake[bodies.awakeCount++] = i
+    } else {
+      // The hand that keeps it awake may go, and what leans on the chip in it would hang there.
+      if (grasped) still[i * 4 + 3] = -least[find(parent, i)]
+      awake[bodies.awakeCount++] = i
+    }
   }
 }
 

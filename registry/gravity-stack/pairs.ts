@@ -26,7 +26,7 @@ export class Pairs {
 export function enterPairs(pairs: Pairs, contacts: Contacts, i: number): void {
   contacts.head[i] = -1
   pairs.wallContact.fill(-1, i * 3, i * 3 + 3)
-  pairs.box.set([Infinity, Infinity, -Infinity, -Infinity], i * 4)
+  pairs.box[i * 4] = Infinity
   pairs.order[pairs.sorted++] = i
 }
 

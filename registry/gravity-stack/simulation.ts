@@ -294,7 +294,6 @@ export function createWorld(options: WorldOptions) {
   /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
   function forget(i: number): void {
     pairs.box[i * 4] = Infinity
-    bodies.undrawn[i] = 1
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
       forgetContact(contacts, edge >> 1)
   }

@@ -217,18 +217,15 @@ export function prepare(
       }
       if (d[k + POINTS] === 0) continue
     }
-    live[end++] = c
     // What an impact asks first, for both points at once, and generously: nearly every contact fails here.
     const speed = d[k + NX] * vx + d[k + NY] * vy + enough
     const first = speed + d[k + NB] * spinB - d[k + NA] * spinA
     const second = speed + d[k + SECOND + NB] * spinB - d[k + SECOND + NA] * spinA
     if (Math.min(first, d[k + POINTS] > 1 ? second : first) < 0) {
       enterImpact(impacts, scene, c, nearing(scene, c))
-      if (d[k + POINTS] === 0) {
-        end--
-        continue
-      }
+      if (d[k + POINTS] === 0) continue
     }
+    live[end++] = c
     close(scene, c)
   }
   return impacts.foundCount > 0 ? bounce(scene, impacts, list, live, from, to) : end
@@ -562,8 +559,8 @@ export function separate(scene: Scene, list: Int32Array, from: number, to: numbe
   return deep
 }
 
-/** The contact among `list[from..to)` whose two chips are deepest in one another, −1 if none is wedged. */
-export function deepest(scene: Scene, list: Int32Array, from: number, to: number): number {
+/** Side by side between what gives way to nothing there is no room: of the two chips among the contacts `list[from..to)` that are deepest in one another, if any are wedged, the higher goes up. */
+export function liftWedged(scene: Scene, list: Int32Array, from: number, to: number): void {
   const { bodies, contacts } = scene
   let worst = -1
   let least = -WEDGED
@@ -578,13 +575,10 @@ export function deepest(scene: Scene, list: Int32Array, from: number, to: number
       worst = c
     }
   }
-  return worst
-}
-
-/** Side by side between what gives way to nothing there is no room: the higher chip of contact `c` goes up. */
-export function lift({ bodies: { state }, contacts: { pair } }: Scene, c: number): void {
-  const a = pair[2 * c] * STATE + Y
-  const b = pair[2 * c + 1] * STATE + Y
+  if (worst < 0) return
+  const { state } = bodies
+  const a = contacts.pair[2 * worst] * STATE + Y
+  const b = contacts.pair[2 * worst + 1] * STATE + Y
   state[state[a] < state[b] ? a : b] -= MAX_PUSH
 }
 

@@ -75,7 +75,7 @@ import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, furthest, Impacts } from './impacts'
 import { find, findIslands, Islands, rest } from './islands'
 import { keepBack, Pairs, updatePairs } from './pairs'
-import { deepest, keepInside, kick, lift, move, prepare, separate, straighten, sweep } from './solver'
+import { keepInside, kick, liftWedged, move, prepare, separate, straighten, sweep } from './solver'
 
 /**
  * All that a step works on. What runs in a step is outside of the world that calls it: functions made anew for every world would be
@@ -118,10 +118,9 @@ export class Simulation extends Scene {
 /** One step of all that is awake. */
 export function stepOnce(simulation: Simulation): void {
   const { bodies, pairs, islands, work } = simulation
-  const { state, before, awake, undrawn } = bodies
+  const { state, before, awake } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
-    undrawn[i] = 1
     before[i * 3] = state[i * STATE + X]
     before[i * 3 + 1] = state[i * STATE + Y]
     before[i * 3 + 2] = state[i * STATE + ANGLE]
@@ -167,8 +166,8 @@ function fly(simulation: Simulation, i: number): void {
 
 /** One island through the step. */
 function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: number): void {
-  const { bodies, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
-  const { live } = islands
+  const { bodies, contacts, h, holds, pairs, islands, impacts, substeps, work, air, spinAir } = simulation
+  const { live, sorted } = contacts
   const grabbed = holds.length > 0 ? holds.filter((hold) => inIsland(islands, hold, b0)) : holds
   const held = grabbed.length > 0
   const speed = fastest(simulation, b0, b1)
@@ -185,7 +184,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     simulation.relaxation = relaxation
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
-    end = prepare(simulation, impacts, islands.contacts, live, c0, c1)
+    end = prepare(simulation, impacts, sorted, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
     const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
@@ -243,7 +242,7 @@ function converge(
   c0: number,
   end: number,
 ): boolean {
-  const { bodies, h, islands, crushing, speed, work } = simulation
+  const { bodies, contacts, h, crushing, speed, work } = simulation
   const unequal = simulation.uneven > UNEVEN
   const lap = end - c0 + 1
   let further = simulation.relaxation
@@ -254,7 +253,7 @@ function converge(
       solveHold(bodies, grabbed[g]!, h, simulation.gravity)
       bodies.stirred[grabbed[g]!.body] = latest = k * lap
     }
-    latest = sweep(simulation, islands.live, c0, end, k * lap, latest)
+    latest = sweep(simulation, contacts.live, c0, end, k * lap, latest)
     work[SWEPT]++
     // Where friction or a third chip has a say, it may not converge.
     if (unequal && simulation.relaxation > 1 && fastest(simulation, b0, b1) > RUNAWAY * speed)
@@ -280,7 +279,8 @@ function holdEnergy(simulation: Simulation, dull: boolean, b0: number, b1: numbe
 
 /** Parts an island that its step has left `deep`, as often as its masses ask; one that stays so for long more often, and what is wedged in it is pushed up until it is free. */
 function unjam(simulation: Simulation, deep: number, b0: number, b1: number, c0: number, end: number): void {
-  const { live, bodies } = simulation.islands
+  const { bodies } = simulation.islands
+  const { live } = simulation.contacts
   const { jams } = simulation.bodies
   let steps = 0
   for (let n = b0; n < b1; n++) steps = Math.max(steps, jams[bodies[n]])
@@ -288,9 +288,7 @@ function unjam(simulation: Simulation, deep: number, b0: number, b1: number, c0:
   const partings = steps < PATIENCE ? most : Math.max(most, PARTING_BUDGET / (end - c0))
   for (let n = partings; n > 1 && deep > 0; n--) deep = separate(simulation, live, c0, end)
   for (let n = b0; n < b1; n++) jams[bodies[n]] = deep > 0 ? steps + 1 : 0
-  if (deep === 0 || steps < PATIENCE) return
-  const worst = deepest(simulation, live, c0, end)
-  if (worst >= 0) lift(simulation, worst)
+  if (deep > 0 && steps >= PATIENCE) liftWedged(simulation, live, c0, end)
 }
 
 /** Leaves in `energies` at `at` the kinetic energy of the bodies of an island, and next to it the same with that of their height. */
@@ -351,7 +349,7 @@ function warmStart(
   }
   const d = contacts.data
   for (let n = c0; n < c1; n++) {
-    const c = islands.contacts[n]
+    const c = contacts.sorted[n]
     const k = c * CONTACT
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
@@ -391,8 +389,7 @@ export function makeRoom(simulation: Simulation): void {
       return
     }
     // A row between two walls that come nearer has room upwards only.
-    const worst = deepest(simulation, list, 0, count)
-    if (worst >= 0) lift(simulation, worst)
+    liftWedged(simulation, list, 0, count)
   }
 }
 

@@ -109,6 +109,21 @@ describe('a pile that is poured', () => {
     expect(settle(world)).toBeLessThan(360)
     expect(overlap(world, again, chips)).toBeLessThan(0.05)
   })
+
+  it('bears a new chip in the very place of one that is gone', () => {
+    const { world, ids } = worldOf([
+      { width: 60, height: 40, x: 320, y: 200, angle: 0 },
+      { width: 200, height: 40, x: 320, y: 320, angle: 0 },
+    ])
+    run(world, 2)
+    const { x, y } = world.read(ids[0])
+    world.remove(ids[0])
+    const chip = world.add({ width: 60, height: 40, x, y })
+    for (let k = 0; k < 60; k++) {
+      world.step(frame)
+      expect(Math.abs(world.read(chip).y - y)).toBeLessThan(0.1)
+    }
+  })
 })
 
 describe('a pile that has less room', () => {
@@ -293,6 +308,13 @@ describe('time', () => {
       expect(ways.length, `${rate} Hz`).toBeGreaterThan(48)
       for (const way of ways) expect(way, `${rate} Hz`).toBeCloseTo(200 / rate, 1)
     }
+  })
+
+  it('a chip that is put elsewhere is drawn there at once, not on the way', () => {
+    const { world, ids } = worldOf([{ width: 40, height: 40, x: 320, y: 50, angle: 0, vx: 60 }])
+    world.step(1.5 * frame)
+    world.place(ids[0], { x: 100, y: 100 })
+    world.eachMoved(() => expect([...world.pose.subarray(0, 2)]).toEqual([100, 100]))
   })
 
   it('draws each chip once more when it has fallen asleep, and then never again', () => {
