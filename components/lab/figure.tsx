@@ -41,14 +41,12 @@ export function Figure({
   const [near, setNear] = useState(false)
   const last = frames - 1
   const shown = Math.min(at, last)
-  /** Where a figure that nobody plays has the most to show. */
-  const towardsEnd = Math.round(0.7 * last)
   const [filmBefore, setFilmBefore] = useState(film)
   const paint = useRef(() => {})
 
   if (film !== filmBefore) {
     setFilmBefore(film)
-    setAt(stillMotion() ? towardsEnd : 0)
+    setAt(0)
     setPlaying(!stillMotion())
   }
 
@@ -97,25 +95,24 @@ export function Figure({
     const print = () =>
       flushSync(() => {
         setNear(true)
-        setAt((current) => current || towardsEnd)
+        setAt((current) => current || Math.round(0.7 * last))
       })
     window.addEventListener('beforeprint', print)
     return () => window.removeEventListener('beforeprint', print)
-  }, [towardsEnd])
+  }, [last])
 
   useEffect(() => {
     const seen = new IntersectionObserver(
       ([entry]) => {
         if (!entry.isIntersecting) return
-        if (stillMotion()) setAt((current) => current || towardsEnd)
-        else setPlaying(true)
+        if (!stillMotion()) setPlaying(true)
         seen.disconnect()
       },
       { threshold: 0.6 },
     )
     seen.observe(canvas.current!)
     return () => seen.disconnect()
-  }, [towardsEnd])
+  }, [])
 
   useEffect(() => {
     if (!playing) return

@@ -877,7 +877,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
     if (inView && !listening) arm()
-    if (process.env.NODE_ENV !== 'production' && inView && !(root.clientWidth * root.clientHeight))
+    const unsized = inView && !(whole.width * whole.height)
+    if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
       warn(
         `a stage is ${root.clientWidth} px wide and ${root.clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
       )
@@ -886,8 +887,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
     // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
     clearTimeout(unseen)
-    if (inView && !(whole.width * whole.height) && root.offsetWidth * root.offsetHeight)
-      unseen = setTimeout(lookAgain, LOOK_AGAIN)
+    if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
   }
 
