@@ -114,6 +114,8 @@ test.describe('with reduced motion', () => {
     )
     await stage.open('pile')
     await begun(stage)
+    // Until it has been told that it is in view, too: that would have it look.
+    await page.evaluate(() => window.probe.pass(5))
     await page.emulateMedia({ reducedMotion: 'no-preference' })
     await stage.reaches('static')
     await page.evaluate(() => document.dispatchEvent(new Event('visibilitychange')))
