@@ -10,7 +10,7 @@ import { named } from './lab/named'
 import { shortFigure } from './lab/short-figure'
 import { ScrollTable } from './scroll-table'
 
-type Row = { measure: string; value: number; unit: string; bound?: number; seconds?: number }
+type Row = { measure: string; value: number; unit: string; bound?: number; late?: number }
 type SceneRows = { title: string; rows: Row[] }
 
 /** What must be none and is none, in one row. */
@@ -72,8 +72,9 @@ export const knownRows = (): SceneRows[] =>
       )!
       const rows = measures.map(({ name, unit, target }, i) => {
         // A film ends before what does not come to rest.
-        const value = unit === 's' && errors[i]! > seconds - 0.1 ? null : errors[i]
-        return { measure: name, value: value ?? Number.POSITIVE_INFINITY, unit, bound: target, seconds }
+        const late = unit === 's' && errors[i]! > seconds - 0.1 ? seconds : undefined
+        const value = late ? Number.POSITIVE_INFINITY : (errors[i] ?? Number.POSITIVE_INFINITY)
+        return { measure: name, value, unit, bound: target, late }
       })
       return { title, rows }
     })
@@ -100,10 +101,10 @@ export const HardScenesTable = () => (
 )
 
 /** What a cell says, for the page and its Markdown alike. */
-export function cellsOf({ value, unit, bound, seconds }: Row) {
+export function cellsOf({ value, unit, bound, late }: Row) {
   const missed = bound !== undefined && !(value <= bound)
   return {
-    figure: seconds && value === Number.POSITIVE_INFINITY ? `not in ${seconds} s` : shortFigure(value, unit),
+    figure: late ? `not in ${late} s` : shortFigure(value, unit),
     bound: bound === undefined ? '–' : shortFigure(bound, unit),
     missed,
   }
