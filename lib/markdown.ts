@@ -1,7 +1,7 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { browserHead, browserRows } from '@/app/benchmarks/browser'
-import { defaultCosts, results, sizes, verdictHead, verdictWords } from '@/app/benchmarks/data'
+import { costRow, results, sizes, verdictHead, verdictWords } from '@/app/benchmarks/data'
 import { engineOrder, looks } from '@/app/benchmarks/engines'
 import { ours, verdicts } from '@/bench/report'
 import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
@@ -171,7 +171,7 @@ const benchmarks = () =>
       engineOrder.map((engine) => [
         looks[engine].title,
         ...sizes.map((size) => {
-          const row = defaultCosts.find((other) => other.engine === engine && other.chips === size)
+          const row = costRow(engine, size)
           if (row?.cost) return figure(row.cost.mean)
           return row?.atLeast ? `> ${figure(row.atLeast)}` : '–'
         }),

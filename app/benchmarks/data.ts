@@ -29,6 +29,9 @@ export const defaultCosts = results.pourCosts.filter(
   (row) =>
     row === results.pourCosts.find((first) => first.engine === row.engine && first.chips === row.chips),
 )
+export const costRow = (engine: string, chips: number) =>
+  defaultCosts.find((row) => row.engine === engine && row.chips === chips)
+
 export const sizes = [...new Set(results.pourCosts.map((row) => row.chips))]
 
 /** The figures of all plots by `plotName`, best first. */

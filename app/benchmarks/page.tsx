@@ -10,7 +10,7 @@ import type { Heading as HeadingOf } from '@/lib/docs'
 import { figure } from '@/lib/figure'
 import { typeset } from '@/lib/typeset'
 import { InBrowser } from './browser'
-import { defaultCosts, plotName, plotTitle, results, sizes, verdictHead, verdictWords } from './data'
+import { costRow, defaultCosts, plotName, plotTitle, results, sizes, verdictHead, verdictWords } from './data'
 import { Drawn } from './drawn'
 import { engineOrder, looks, settingTitle } from './engines'
 import { EngineName, Mark, Markers } from './plot'
@@ -596,13 +596,11 @@ const sizeTable = {
     .map((engine) => [
       <EngineName key="engine" engine={engine} />,
       ...sizes.map((size) => {
-        const row = defaultCosts.find((candidate) => candidate.engine === engine && candidate.chips === size)
+        const row = costRow(engine, size)
         if (!row?.cost) {
           return <span title={row?.reason}>{row?.atLeast ? `> ${figure(row.atLeast)}` : '–'}</span>
         }
-        const own = defaultCosts.find(
-          (candidate) => candidate.engine === ours && candidate.chips === size,
-        )?.cost
+        const own = costRow(ours, size)?.cost
         const ratio = own && engine !== ours ? ` (${figure(row.cost.mean / own.mean)} ×)` : ''
         return (
           <span
@@ -618,8 +616,6 @@ const sizeTable = {
     ]),
 }
 
-const costOf = (engine: string, chips: number) =>
-  defaultCosts.find((row) => row.engine === engine && row.chips === chips)?.cost
 const phases = [
   ['pour', 'Fall and landing, first 1.5 s'],
   ['settled', 'Lying, kept awake, fourth second'],
@@ -631,10 +627,10 @@ const cheaperTable = {
   rows: sizes.map((size) => [
     size.toLocaleString('en'),
     ...phases.map(([phase]) => {
-      const own = costOf(ours, size)
+      const own = costRow(ours, size)?.cost
       if (!own) return '–'
       const shares = engineOrder
-        .map((engine) => ({ engine, share: (costOf(engine, size)?.[phase] ?? Infinity) / own[phase] }))
+        .map((engine) => ({ engine, share: (costRow(engine, size)?.cost?.[phase] ?? Infinity) / own[phase] }))
         .filter(({ engine, share }) => engine !== ours && share * noise < 1)
         .toSorted((a, b) => a.share - b.share)
       return shares.length === 0
@@ -662,7 +658,7 @@ const frameTable = {
   ],
   numbers: [1, 2, 3, 4, 5, 6, 7],
   rows: engineOrder.flatMap((engine) => {
-    const row = defaultCosts.find((row) => row.engine === engine && row.chips === 60)
+    const row = costRow(engine, 60)
     if (!row?.cost) return []
     const { pour, settled, p50, p95, worst } = row.cost
     return [
