@@ -111,7 +111,7 @@ export class Contacts {
   head: Int32Array = new Int32Array(1).fill(-1)
   next: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
-  mark: Int32Array = new Int32Array(4)
+  mark: Float64Array = new Float64Array(4)
   /** Room for lists of them, none of which holds one twice: those that matter in this step, in the order they were found and island by island, and only those that touch in the present sub-step. */
   near: Int32Array = new Int32Array(4)
   sorted: Int32Array = new Int32Array(4)

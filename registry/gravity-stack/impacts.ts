@@ -66,8 +66,8 @@ export class Impacts {
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
   first = 0
   since: Float64Array = new Float64Array(1)
-  /** Number of the phase that last reached each body. */
-  mark: Int32Array = new Int32Array(1)
+  /** Number of the phase that last reached each body: after some weeks of motion more than 32 bits hold. */
+  mark: Float64Array = new Float64Array(1)
   phase = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
