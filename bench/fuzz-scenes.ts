@@ -124,7 +124,7 @@ const scene = (oddly: number, speed: number, acts: number, chips = 12): fc.Arbit
 
 const never = 1e9
 
-/** Half as the component drops them, the rest ever wilder. */
+/** Four in ten as the component drops them, the rest ever wilder. */
 export const anyScene: fc.Arbitrary<FuzzScene> = fc.oneof(
   { arbitrary: scene(never, 200, 0).map(apart), weight: 4 },
   { arbitrary: scene(never, 0, 0), weight: 2 },

@@ -135,7 +135,7 @@ export function setShape(
   bodies.shape[s + CORE] = Math.sqrt(core)
   bodies.shape[s + EXTENT] = Math.sqrt(core) + r
 
-  // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
+  // The four corners together are one disc.
   const corner = Math.PI * r * r
   const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
   // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
