@@ -206,14 +206,13 @@ export function removeContact(contacts: Contacts, c: number): void {
   const a = contacts.pair[2 * c]
   if (a > 0) unlink(contacts, 2 * c, a)
   unlink(contacts, 2 * c + 1, contacts.pair[2 * c + 1])
-  contacts.pair[2 * c] = 0
   contacts.pair[2 * c + 1] = 0
   contacts.next[2 * c] = contacts.free
   contacts.free = c
 }
 
 /** The impulses of contact `c`, times `sign`, added to what its bodies get as warm start. */
-export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): void {
+export function carry({ bodies, contacts }: Scene, c: number, sign: number): void {
   const d = contacts.data
   const k = c * CONTACT
   const l1 = sign * d[k + LOAD]
@@ -245,7 +244,8 @@ export function carry(bodies: Bodies, contacts: Contacts, c: number, sign: numbe
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
-export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
+export function measure(scene: Scene, c: number): void {
+  const { bodies, contacts } = scene
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
@@ -256,7 +256,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   if (a > 0) collide(bodies, a, b)
   else {
     state[b * STATE + ANGLE] = angleB + turned
-    collideWall(bodies, walls, b, contacts.wall[c])
+    collideWall(bodies, scene.walls, b, contacts.wall[c])
     state[b * STATE + ANGLE] = angleB
   }
   const d = contacts.data
@@ -266,7 +266,7 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
   const load2 = d[k + SECOND + LOAD]
   const loaded = load1 + load2 > 0
   const torque = d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG]
-  if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
+  if (loaded || d[k + LAG] !== 0) carry(scene, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
@@ -357,12 +357,12 @@ export function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: num
       const now = nb1 * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
-    carry(bodies, contacts, c, 1)
+    carry(scene, c, 1)
   }
 }
 
 /** Leaves in `touch` the gap (px) of the point of contact `c` with its record at `p`, and the rate (px/s) at which it opens. */
-export function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
+export function probe({ bodies, contacts }: Scene, c: number, p: number): void {
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
   const a = (contacts.pair[2 * c] & INDEX) * STATE
@@ -382,8 +382,23 @@ export function probe(bodies: Bodies, contacts: Contacts, c: number, p: number):
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
+/** px/s, change of that rate over the sub-step by gravity and by the contacts that already push. */
+export function gainOf({ bodies, contacts, gravity, h }: Scene, c: number, p: number): number {
+  const { data: d, pair } = contacts
+  const m = bodies.motion
+  const k = (c & INDEX) * CONTACT
+  const a = (pair[2 * c] & INDEX) * MOTION
+  const b = (pair[2 * c + 1] & INDEX) * MOTION
+  return (
+    d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
+    d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : gravity * h)) +
+    d[p + NB] * m[b + PUSH_SPIN] -
+    d[p + NA] * m[a + PUSH_SPIN]
+  )
+}
+
 /** px, lower bound of the present gap of contact `c`, without measuring: no point of the two has come nearer by more than this. */
-export function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
+export function gapBound({ bodies, contacts }: Scene, c: number): number {
   const s = bodies.state
   const d = contacts.data
   const a = contacts.pair[2 * c] & INDEX

@@ -31,6 +31,7 @@ import {
   CONTACT,
   GOAL,
   GOAL_T,
+  gainOf,
   HIT,
   HIT_T,
   HITS,
@@ -82,12 +83,9 @@ const ahead = { time: 0.5, speed: 0.5 }
  * start of the sub-step with which the points would leave as they should.
  */
 function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
-  const { bodies, contacts, h } = scene
+  const { contacts, h } = scene
   const d = contacts.data
-  const m = bodies.motion
   const k = c * CONTACT
-  const a = contacts.pair[2 * c] * MOTION
-  const b = contacts.pair[2 * c + 1] * MOTION
   // What comes after an earlier hit of this sub-step.
   const from = hitBefore(impacts, scene, c)
   ahead.time = h
@@ -95,15 +93,9 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
-    probe(bodies, contacts, c, p)
+    probe(scene, c, p)
     const start = touch[RATE_NOW]
-    // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
-    const change =
-      d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
-      d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * h)) +
-      d[p + NB] * m[b + PUSH_SPIN] -
-      d[p + NA] * m[a + PUSH_SPIN]
-    const rate = change / h
+    const rate = gainOf(scene, c, p) / h
     const v = start + rate * from
     const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -175,7 +167,7 @@ function measureAt(scene: Scene, c: number, time: number, widest: number): void 
       state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
   }
   touch[WIDEST] = widest
-  measure(bodies, contacts, scene.walls, c)
+  measure(scene, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
@@ -363,7 +355,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
       continue
     let struck = false
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-      probe(bodies, contacts, c, p)
+      probe(scene, c, p)
       if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
     if (!struck) continue
@@ -371,7 +363,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] !== impacts.phase - 1) {
       d[k + SECOND + GOAL] = -Infinity
       for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-        probe(bodies, contacts, c, p)
+        probe(scene, c, p)
         d[p + GOAL] = isNear(impacts, scene, i, c, p) ? 0 : -Infinity
       }
     }

@@ -47,7 +47,7 @@ export function find(parent: Int32Array, i: number): number {
 }
 
 /** Returns whether the two were apart. */
-function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): boolean {
+function unite({ parent, reach }: Islands, i: number, j: number): boolean {
   const a = find(parent, i)
   const b = find(parent, j)
   if (a === b) return false
@@ -121,7 +121,7 @@ export function findIslands(islands: Islands, scene: Scene): void {
  */
 function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
-  const { bodies, contacts, walls, gravity } = scene
+  const { bodies, contacts, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
@@ -147,14 +147,11 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       const go =
         STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
       if (d[k + POINTS] === 0) {
-        let may = fall + go
-        if (again) {
-          const root = asleep[j] === 0 ? find(parent, j) : 0
-          may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
-        }
+        const root = again && asleep[j] === 0 ? find(parent, j) : 0
+        const may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
-        const bound = gapBound(bodies, contacts, c)
+        const bound = gapBound(scene, c)
         if (bound > may) {
           d[k + DUE] = travel + bound
           continue
@@ -162,7 +159,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
         // Measured again only where that bound has grown loose, and for the gap alone.
         if (!(d[k + CLEAR] - bound < LOOSE)) {
           touch[WIDEST] = -Infinity
-          measure(bodies, contacts, walls, c)
+          measure(scene, c)
           scene.work[MEASURED]++
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
@@ -174,7 +171,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       }
       mark[c] = -1
       near[islands.nearCount++] = c
-      if (j > 0 && unite(parent, reach, i, j)) grew = true
+      if (j > 0 && unite(islands, i, j)) grew = true
       const root = find(parent, i)
       if (go > reach[root]) reach[root] = go
     }
@@ -242,7 +239,7 @@ export function rest(islands: Islands, scene: Scene): void {
       if (again === 0) {
         least[a] = -still[a * 4 + 3]
         least[b] = -still[b * 4 + 3]
-      } else if (a > 0) unite(parent, least, a, b)
+      } else if (a > 0) unite(islands, a, b)
     }
   }
   // What a blow in this very step has lifted would hang there.
@@ -253,7 +250,7 @@ export function rest(islands: Islands, scene: Scene): void {
     if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
-    measure(bodies, contacts, scene.walls, c)
+    measure(scene, c)
     scene.work[MEASURED]++
     if (touch[DISTANCE] > DEEP + SLOP) least[find(parent, b)] = 0
   }

@@ -76,6 +76,7 @@ import {
   FROM_X,
   FROM_Y,
   FURTHEST,
+  gainOf,
   gapBound,
   INV_DET,
   K,
@@ -209,7 +210,7 @@ export function prepare(
       if (touching ? spare < 0 : spare < near) {
         touch[WIDEST] = near
         touch[LEAD] = h
-        measure(bodies, contacts, scene.walls, c)
+        measure(scene, c)
         touch[LEAD] = 0
         scene.work[MEASURED]++
         if (touch[COUNT] > 0) d[k + DUE] = travel + loose
@@ -240,7 +241,7 @@ function bounce(
   from: number,
   to: number,
 ): number {
-  const { bodies, contacts } = scene
+  const { contacts } = scene
   const { data: d, pair } = contacts
   const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
   for (let again = 1; ; again++) {
@@ -259,7 +260,7 @@ function bounce(
         // What an impact sends off, or stops, may hit another within the same sub-step, and what has been put off may hit still.
         if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
-          if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
+          if (d[k + POINTS] > 0 || gapBound(scene, c) < near) enterAgain(impacts, scene, c, near)
         }
         if (d[k + POINTS] > 0) close(scene, c)
       }
@@ -289,16 +290,12 @@ function nearing(scene: Scene, c: number): number {
  */
 function close(scene: Scene, c: number): void {
   const { bodies, contacts, h } = scene
-  const { state: s, motion: m } = bodies
+  const s = bodies.state
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
-  const bodyA = contacts.pair[2 * c] & INDEX
-  const bodyB = contacts.pair[2 * c + 1] & INDEX
-  const a = bodyA * STATE
-  const b = bodyB * STATE
-  const nx = d[k + NX]
-  const ny = d[k + NY]
-  const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
+  const a = (contacts.pair[2 * c] & INDEX) * STATE
+  const b = (contacts.pair[2 * c + 1] & INDEX) * STATE
+  const across = d[k + NX] * (s[b + X] - s[a + X]) + d[k + NY] * (s[b + Y] - s[a + Y])
   const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
   d[k + FURTHEST] = 2
   for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
@@ -308,14 +305,7 @@ function close(scene: Scene, c: number): void {
       closing = (d[p + LOAD] > 0 ? CLOSING_SHARE * gap : gap) / h
       if (!loaded) {
         // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
-        const ma = bodyA * MOTION
-        const mb = bodyB * MOTION
-        closing -=
-          0.5 *
-          (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-            ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
-            d[p + NB] * m[mb + PUSH_SPIN] -
-            d[p + NA] * m[ma + PUSH_SPIN])
+        closing -= 0.5 * gainOf(scene, c, p)
         // No faster apart than this: the push of a chip that was crushed is over by then, and would be given back doubled.
         if (closing < -LIVELY) closing = -LIVELY
       }
@@ -525,7 +515,7 @@ export function move(scene: Scene, list: Int32Array, from: number, to: number): 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
 function part(scene: Scene, c: number, p: number, lazy: boolean): number {
   const { bodies, contacts } = scene
-  probe(bodies, contacts, c, p)
+  probe(scene, c, p)
   const gap = touch[GAP_NOW] + SLOP
   if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return 0
   const s = bodies.state
@@ -569,7 +559,7 @@ export function liftWedged(scene: Scene, list: Int32Array, from: number, to: num
     if (contacts.wall[c] > 0) continue
     const k = c * CONTACT
     for (let p = k, n = contacts.data[k + POINTS]; n > 0; n--, p += SECOND) {
-      probe(bodies, contacts, c, p)
+      probe(scene, c, p)
       if (touch[GAP_NOW] >= least) continue
       least = touch[GAP_NOW]
       worst = c
@@ -618,7 +608,7 @@ export function straighten(scene: Scene, list: Int32Array, count: number): boole
           visits = Math.min(visits, STRAIGHTENING / 8)
         }
       }
-      measure(bodies, contacts, walls, c)
+      measure(scene, c)
     }
     let passes = 0
     const most = Math.min(PARTINGS, visits / count)

@@ -121,9 +121,7 @@ export function stepOnce(simulation: Simulation): void {
   const { state, before, awake } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
-    before[i * 3] = state[i * STATE + X]
-    before[i * 3 + 1] = state[i * STATE + Y]
-    before[i * 3 + 2] = state[i * STATE + ANGLE]
+    for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] = state[i * STATE + axis]
   }
   if (simulation.cramped > 0) makeRoom(simulation)
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
@@ -151,12 +149,9 @@ function fly(simulation: Simulation, i: number): void {
   const { bodies, gravity, flightAir: linear, flightSpinAir: spin } = simulation
   const { state } = bodies
   const s = i * STATE
-  const dx = linear.reach * state[s + VX]
-  const dy = linear.reach * state[s + VY] + gravity * linear.fall
-  const by = spin.reach * state[s + SPIN]
-  state[s + X] += dx
-  state[s + Y] += dy
-  state[s + ANGLE] += by
+  state[s + X] += linear.reach * state[s + VX]
+  state[s + Y] += linear.reach * state[s + VY] + gravity * linear.fall
+  state[s + ANGLE] += spin.reach * state[s + SPIN]
   state[s + VX] *= linear.fade
   state[s + VY] = linear.fade * state[s + VY] + gravity * linear.reach
   state[s + SPIN] *= spin.fade
@@ -331,13 +326,14 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
 
 /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
 function warmStart(
-  { bodies, contacts, islands }: Simulation,
+  simulation: Simulation,
   b0: number,
   b1: number,
   c0: number,
   c1: number,
   grabbed: Hold[],
 ): void {
+  const { bodies, contacts, islands } = simulation
   const { motion, props } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
@@ -353,7 +349,7 @@ function warmStart(
     const k = c * CONTACT
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
-    carry(bodies, contacts, c, 1)
+    carry(simulation, c, 1)
     const a = contacts.pair[2 * c]
     props[a] += 2
     props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
@@ -429,7 +425,7 @@ export function disturb(scene: Scene, i: number): void {
 
 /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
 function wakeStruck(scene: Scene): void {
-  const { bodies, contacts, walls, gravity } = scene
+  const { bodies, contacts, gravity } = scene
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -437,12 +433,12 @@ function wakeStruck(scene: Scene): void {
       if (bodies.asleep[j] === 0) continue
       const c = edge >> 1
       const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
-      if (gapBound(bodies, contacts, c) > go + MARGIN) continue
+      if (gapBound(scene, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
-      measure(bodies, contacts, walls, c)
+      measure(scene, c)
       scene.work[MEASURED]++
       for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
-        probe(bodies, contacts, c, p)
+        probe(scene, c, p)
         if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)
       }
     }
