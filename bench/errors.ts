@@ -6,6 +6,7 @@ import { scenes } from '../scenes'
 import { type Setting, settingName } from './engine'
 import { loadEngine } from './engines'
 import { sceneErrors } from './film'
+import { short } from './write'
 
 const { values: options } = parseArgs({
   options: {
@@ -22,12 +23,6 @@ const large = /-(250|1000)$/
 const chosen = scenes.filter((scene) =>
   wanted ? wanted.some((part) => scene.name.includes(part)) : options.all || !large.test(scene.name),
 )
-
-function short(value: number) {
-  if (value === 0) return '0'
-  if (!Number.isFinite(value)) return '∞'
-  return value < 1e-3 || value >= 1e5 ? value.toExponential(1) : value.toPrecision(3)
-}
 
 for (const name of options.engine.split(',')) {
   const engine = await loadEngine(name)

@@ -4,7 +4,8 @@ import { join } from 'node:path'
 import { type Engine, settingName } from './engine'
 import { type Results, verdicts } from './report'
 
-const number = (value: number | null | undefined) => {
+/** Three digits, or a power of ten where those would not do. */
+export const short = (value: number | null | undefined) => {
   if (value === null || value === undefined) return '–'
   if (value === 0) return '0'
   if (!Number.isFinite(value)) return '∞'
@@ -27,8 +28,8 @@ export function printResults(results: Results, engines: Engine[]) {
             ({ engine: of, chips, setting }) =>
               of === engine.name && chips === size && settingName(setting) === name,
           )
-          const bound = row?.atLeast ? `> ${number(row.atLeast)}` : '–'
-          return (row?.cost ? `${number(row.cost.mean)} (${number(row.cost.p95)})` : bound).padStart(18)
+          const bound = row?.atLeast ? `> ${short(row.atLeast)}` : '–'
+          return (row?.cost ? `${short(row.cost.mean)} (${short(row.cost.p95)})` : bound).padStart(18)
         })
         console.log(`${`${engine.name}, ${name}`.padEnd(50)}${cells.join('')}`)
       }
@@ -42,13 +43,13 @@ export function printResults(results: Results, engines: Engine[]) {
     `${'scene'.padEnd(17)}${'measure'.padEnd(17)}${'error'.padStart(9)}${'µs'.padStart(9)}   ${'best peer as cheap'.padEnd(34)}${'cheapest peer as exact'.padEnd(34)}frontier`,
   )
   for (const { scene, measure, error, cost, asCheap, asExact, beaten, open } of table) {
-    const cheap = asCheap ? `${asCheap.engine} ${number(asCheap.factor)}× the error` : 'none'
-    const exact = asExact ? `${asExact.engine} ${number(asExact.factor)}× the cost` : 'none at any setting'
+    const cheap = asCheap ? `${asCheap.engine} ${short(asCheap.factor)}× the error` : 'none'
+    const exact = asExact ? `${asExact.engine} ${short(asExact.factor)}× the cost` : 'none at any setting'
     const owner =
       beaten.length === 0 ? 'ours' : `beaten by ${[...new Set(beaten.map((p) => p.engine))].join(', ')}`
     const left = open.length > 0 ? `, ${open.length} settings open` : ''
     console.log(
-      `${scene.name.padEnd(17)}${scene.measures[measure].name.padEnd(17)}${number(error).padStart(9)}${number(cost).padStart(9)}   ${cheap.padEnd(34)}${exact.padEnd(34)}${owner}${left}`,
+      `${scene.name.padEnd(17)}${scene.measures[measure].name.padEnd(17)}${short(error).padStart(9)}${short(cost).padStart(9)}   ${cheap.padEnd(34)}${exact.padEnd(34)}${owner}${left}`,
     )
   }
 }

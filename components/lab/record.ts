@@ -1,15 +1,7 @@
-import { createWorld, type WorldOptions } from '@/registry/gravity-stack/world'
+import { createWorld, type Reading, type WorldOptions } from '@/registry/gravity-stack/world'
 import { type Chip, frame } from '@/scenes/scene'
 
-export type State = {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
-}
+export type State = Reading
 
 /** A run of the solver to be scrubbed in both directions: the state of every chip, frame by frame from the start. */
 type Recording = {
