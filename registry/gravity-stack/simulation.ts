@@ -163,7 +163,7 @@ export function createWorld(options: WorldOptions) {
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
       // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
-      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(contacts, c)
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c] > 0) forgetContact(contacts, c)
       scene.cramped = PATIENCE
     },
 
@@ -173,8 +173,8 @@ export function createWorld(options: WorldOptions) {
       const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[awake[n]! * 3 + axis] =
-              keep * before[awake[n]! * 3 + axis]! + sign * state[awake[n]! * STATE + axis]!
+            before[awake[n] * 3 + axis] =
+              keep * before[awake[n] * 3 + axis] + sign * state[awake[n] * STATE + axis]
       }
       // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
       shift(1, -1, 0, awakeCount)

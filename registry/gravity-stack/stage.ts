@@ -433,8 +433,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const poses = world!.scene.bodies.state
     // From the world's own array: to read every chip at every release would leave an object each on the heap.
     bodies.forEach((other) => {
-      const x = poses[other.id * STATE + X]!
-      const y = poses[other.id * STATE + Y]!
+      const x = poses[other.id * STATE + X]
+      const y = poses[other.id * STATE + Y]
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     })
     look(chip)
@@ -490,9 +490,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function paint(id: number, asleep: boolean) {
     const chip = bodies[id]!
     const { pose } = world!
-    const x = pose[0]!
-    const y = pose[1]!
-    const angle = pose[2]!
+    const x = pose[0]
+    const y = pose[1]
+    const angle = pose[2]
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = (angle - chip.angle) * chip.reach
@@ -762,8 +762,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // While a finger waited a mouse may have taken it.
     if (chip.state === 'held') return letGo(press)
     const { state: poses } = world!.scene.bodies
-    const x = poses[chip.id * STATE + X]!
-    const y = poses[chip.id * STATE + Y]!
+    const x = poses[chip.id * STATE + X]
+    const y = poses[chip.id * STATE + Y]
     clearTimeout(press.timer)
     fetched = false
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
