@@ -323,7 +323,7 @@ function setShape(
   bodies.shape[s + CORE] = Math.sqrt(core)
   bodies.shape[s + EXTENT] = Math.sqrt(core) + r
 
-  // Half extents of the slabs' union: the cross of the two rectangles, then the corners' disc spread to the four corners.
+  // The four corners together are one disc.
   const corner = Math.PI * r * r
   const area = 4 * hx * hy + 4 * hx * r + 4 * hy * r + corner
   // ∫x²+y² over the core, over the slabs left/right and above/below, and over the corners.
@@ -1117,7 +1117,7 @@ class Contacts {
   head: Int32Array = new Int32Array(1).fill(-1)
   next: Int32Array = new Int32Array(8)
   /** Number of the impact phase in which the contact was taken up; while islands are made, whether it is theirs. */
-  mark: Int32Array = new Int32Array(4)
+  mark: Float64Array = new Float64Array(4)
   /** Room for lists of them, none of which holds one twice: those that matter in this step, in the order they were found and island by island, and only those that touch in the present sub-step. */
   near: Int32Array = new Int32Array(4)
   sorted: Int32Array = new Int32Array(4)
@@ -1212,14 +1212,13 @@ function removeContact(contacts: Contacts, c: number): void {
   const a = contacts.pair[2 * c]
   if (a > 0) unlink(contacts, 2 * c, a)
   unlink(contacts, 2 * c + 1, contacts.pair[2 * c + 1])
-  contacts.pair[2 * c] = 0
   contacts.pair[2 * c + 1] = 0
   contacts.next[2 * c] = contacts.free
   contacts.free = c
 }
 
 /** The impulses of contact `c`, times `sign`, added to what its bodies get as warm start. */
-function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): void {
+function carry({ bodies, contacts }: Scene, c: number, sign: number): void {
   const d = contacts.data
   const k = c * CONTACT
   const l1 = sign * d[k + LOAD]
@@ -1251,7 +1250,8 @@ function carry(bodies: Bodies, contacts: Contacts, c: number, sign: number): voi
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
-function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): void {
+function measure(scene: Scene, c: number): void {
+  const { bodies, contacts } = scene
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   const { state, motion } = bodies
@@ -1262,7 +1262,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   if (a > 0) collide(bodies, a, b)
   else {
     state[b * STATE + ANGLE] = angleB + turned
-    collideWall(bodies, walls, b, contacts.wall[c])
+    collideWall(bodies, scene.walls, b, contacts.wall[c])
     state[b * STATE + ANGLE] = angleB
   }
   const d = contacts.data
@@ -1272,7 +1272,7 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
   const load2 = d[k + SECOND + LOAD]
   const loaded = load1 + load2 > 0
   const torque = d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG]
-  if (loaded || d[k + LAG] !== 0) carry(bodies, contacts, c, -1)
+  if (loaded || d[k + LAG] !== 0) carry(scene, c, -1)
   d[k + LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
@@ -1363,12 +1363,12 @@ function measure(bodies: Bodies, contacts: Contacts, walls: Walls, c: number): v
       const now = nb1 * d[k + LOAD] + d[k + SECOND + NB] * d[k + SECOND + LOAD] + tb * d[k + DRAG]
       d[k + LAG] = 0.5 * iib * (torque - now)
     }
-    carry(bodies, contacts, c, 1)
+    carry(scene, c, 1)
   }
 }
 
 /** Leaves in `touch` the gap (px) of the point of contact `c` with its record at `p`, and the rate (px/s) at which it opens. */
-function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
+function probe({ bodies, contacts }: Scene, c: number, p: number): void {
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
   const a = (contacts.pair[2 * c] & INDEX) * STATE
@@ -1388,8 +1388,23 @@ function probe(bodies: Bodies, contacts: Contacts, c: number, p: number): void {
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
+/** px/s, change of that rate over the sub-step by gravity and by the contacts that already push. */
+function gainOf({ bodies, contacts, gravity, h }: Scene, c: number, p: number): number {
+  const { data: d, pair } = contacts
+  const m = bodies.motion
+  const k = (c & INDEX) * CONTACT
+  const a = (pair[2 * c] & INDEX) * MOTION
+  const b = (pair[2 * c + 1] & INDEX) * MOTION
+  return (
+    d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
+    d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : gravity * h)) +
+    d[p + NB] * m[b + PUSH_SPIN] -
+    d[p + NA] * m[a + PUSH_SPIN]
+  )
+}
+
 /** px, lower bound of the present gap of contact `c`, without measuring: no point of the two has come nearer by more than this. */
-function gapBound(bodies: Bodies, contacts: Contacts, c: number): number {
+function gapBound({ bodies, contacts }: Scene, c: number): number {
   const s = bodies.state
   const d = contacts.data
   const a = contacts.pair[2 * c] & INDEX
@@ -1426,8 +1441,8 @@ class Impacts {
   /** Number of the sub-step's first phase; for each body the same plus the part of the sub-step in which it was last hit. */
   first = 0
   since: Float64Array = new Float64Array(1)
-  /** Number of the phase that last reached each body. */
-  mark: Int32Array = new Int32Array(1)
+  /** Number of the phase that last reached each body: after some weeks of motion more than 32 bits hold. */
+  mark: Float64Array = new Float64Array(1)
   phase = 0
   /** px/s, the hardest hit of the cluster, and the approach from which it is passed on to a neighbour. */
   fastest = 0.5
@@ -1442,12 +1457,9 @@ const ahead = { time: 0.5, speed: 0.5 }
  * start of the sub-step with which the points would leave as they should.
  */
 function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
-  const { bodies, contacts, h } = scene
+  const { contacts, h } = scene
   const d = contacts.data
-  const m = bodies.motion
   const k = c * CONTACT
-  const a = contacts.pair[2 * c] * MOTION
-  const b = contacts.pair[2 * c + 1] * MOTION
   // What comes after an earlier hit of this sub-step.
   const from = hitBefore(impacts, scene, c)
   ahead.time = h
@@ -1455,15 +1467,9 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
   d[k + SECOND + GOAL] = -Infinity
   for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
     d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
-    probe(bodies, contacts, c, p)
+    probe(scene, c, p)
     const start = touch[RATE_NOW]
-    // px/s, change of that rate over the sub-step by gravity and the contacts that already push.
-    const change =
-      d[k + NX] * (m[b + PUSH_X] - m[a + PUSH_X]) +
-      d[k + NY] * (m[b + PUSH_Y] - m[a + PUSH_Y] + (a > 0 ? 0 : scene.gravity * h)) +
-      d[p + NB] * m[b + PUSH_SPIN] -
-      d[p + NA] * m[a + PUSH_SPIN]
-    const rate = change / h
+    const rate = gainOf(scene, c, p) / h
     const v = start + rate * from
     const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -1535,7 +1541,7 @@ function measureAt(scene: Scene, c: number, time: number, widest: number): void 
       state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
   }
   touch[WIDEST] = widest
-  measure(bodies, contacts, scene.walls, c)
+  measure(scene, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
@@ -1723,7 +1729,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
       continue
     let struck = false
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-      probe(bodies, contacts, c, p)
+      probe(scene, c, p)
       if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
     if (!struck) continue
@@ -1731,7 +1737,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
     if (contacts.mark[c] !== impacts.phase - 1) {
       d[k + SECOND + GOAL] = -Infinity
       for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
-        probe(bodies, contacts, c, p)
+        probe(scene, c, p)
         d[p + GOAL] = isNear(impacts, scene, i, c, p) ? 0 : -Infinity
       }
     }
@@ -1913,7 +1919,7 @@ function prepare(
       if (touching ? spare < 0 : spare < near) {
         touch[WIDEST] = near
         touch[LEAD] = h
-        measure(bodies, contacts, scene.walls, c)
+        measure(scene, c)
         touch[LEAD] = 0
         scene.work[MEASURED]++
         if (touch[COUNT] > 0) d[k + DUE] = travel + loose
@@ -1944,7 +1950,7 @@ function bounce(
   from: number,
   to: number,
 ): number {
-  const { bodies, contacts } = scene
+  const { contacts } = scene
   const { data: d, pair } = contacts
   const rounds = scene.bounce < LIVELY_BOUNCE ? IMPACT_ROUNDS_DULL : IMPACT_ROUNDS
   for (let again = 1; ; again++) {
@@ -1963,7 +1969,7 @@ function bounce(
         // What an impact sends off, or stops, may hit another within the same sub-step, and what has been put off may hit still.
         if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
-          if (d[k + POINTS] > 0 || gapBound(bodies, contacts, c) < near) enterAgain(impacts, scene, c, near)
+          if (d[k + POINTS] > 0 || gapBound(scene, c) < near) enterAgain(impacts, scene, c, near)
         }
         if (d[k + POINTS] > 0) close(scene, c)
       }
@@ -1993,16 +1999,12 @@ function nearing(scene: Scene, c: number): number {
  */
 function close(scene: Scene, c: number): void {
   const { bodies, contacts, h } = scene
-  const { state: s, motion: m } = bodies
+  const s = bodies.state
   const d = contacts.data
   const k = (c & INDEX) * CONTACT
-  const bodyA = contacts.pair[2 * c] & INDEX
-  const bodyB = contacts.pair[2 * c + 1] & INDEX
-  const a = bodyA * STATE
-  const b = bodyB * STATE
-  const nx = d[k + NX]
-  const ny = d[k + NY]
-  const across = nx * (s[b + X] - s[a + X]) + ny * (s[b + Y] - s[a + Y])
+  const a = (contacts.pair[2 * c] & INDEX) * STATE
+  const b = (contacts.pair[2 * c + 1] & INDEX) * STATE
+  const across = d[k + NX] * (s[b + X] - s[a + X]) + d[k + NY] * (s[b + Y] - s[a + Y])
   const loaded = d[k + LOAD] + d[k + SECOND + LOAD] > 0
   d[k + FURTHEST] = 2
   for (let p = k, n = d[k + POINTS]; n > 0; n--, p += SECOND) {
@@ -2012,14 +2014,7 @@ function close(scene: Scene, c: number): void {
       closing = (d[p + LOAD] > 0 ? CLOSING_SHARE * gap : gap) / h
       if (!loaded) {
         // The gap closes with the mean velocity of the sub-step, half of what it gains behind the one at its end.
-        const ma = bodyA * MOTION
-        const mb = bodyB * MOTION
-        closing -=
-          0.5 *
-          (nx * (m[mb + PUSH_X] - m[ma + PUSH_X]) +
-            ny * (m[mb + PUSH_Y] - m[ma + PUSH_Y] + (bodyA > 0 ? 0 : scene.gravity * h)) +
-            d[p + NB] * m[mb + PUSH_SPIN] -
-            d[p + NA] * m[ma + PUSH_SPIN])
+        closing -= 0.5 * gainOf(scene, c, p)
         // No faster apart than this: the push of a chip that was crushed is over by then, and would be given back doubled.
         if (closing < -LIVELY) closing = -LIVELY
       }
@@ -2229,7 +2224,7 @@ function move(scene: Scene, list: Int32Array, from: number, to: number): number 
 /** Pushes the bodies of a point of contact `c` apart along its normal, with `lazy` only if they don't part by themselves. */
 function part(scene: Scene, c: number, p: number, lazy: boolean): number {
   const { bodies, contacts } = scene
-  probe(bodies, contacts, c, p)
+  probe(scene, c, p)
   const gap = touch[GAP_NOW] + SLOP
   if (gap > 0 || (lazy && gap + touch[RATE_NOW] * scene.h > 0)) return 0
   const s = bodies.state
@@ -2273,7 +2268,7 @@ function liftWedged(scene: Scene, list: Int32Array, from: number, to: number): v
     if (contacts.wall[c] > 0) continue
     const k = c * CONTACT
     for (let p = k, n = contacts.data[k + POINTS]; n > 0; n--, p += SECOND) {
-      probe(bodies, contacts, c, p)
+      probe(scene, c, p)
       if (touch[GAP_NOW] >= least) continue
       least = touch[GAP_NOW]
       worst = c
@@ -2322,7 +2317,7 @@ function straighten(scene: Scene, list: Int32Array, count: number): boolean {
           visits = Math.min(visits, STRAIGHTENING / 8)
         }
       }
-      measure(bodies, contacts, walls, c)
+      measure(scene, c)
     }
     let passes = 0
     const most = Math.min(PARTINGS, visits / count)
@@ -2608,7 +2603,7 @@ function find(parent: Int32Array, i: number): number {
 }
 
 /** Returns whether the two were apart. */
-function unite(parent: Int32Array, reach: Float64Array, i: number, j: number): boolean {
+function unite({ parent, reach }: Islands, i: number, j: number): boolean {
   const a = find(parent, i)
   const b = find(parent, j)
   if (a === b) return false
@@ -2682,7 +2677,7 @@ function findIslands(islands: Islands, scene: Scene): void {
  */
 function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
-  const { bodies, contacts, walls, gravity } = scene
+  const { bodies, contacts, gravity } = scene
   const { parent, reach } = islands
   const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
@@ -2708,14 +2703,11 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       const go =
         STEP * (Math.abs(s[b + VX] - vx) + Math.abs(s[b + VY] - vy) + turning + coreB * Math.abs(s[b + SPIN]))
       if (d[k + POINTS] === 0) {
-        let may = fall + go
-        if (again) {
-          const root = asleep[j] === 0 ? find(parent, j) : 0
-          may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
-        }
+        const root = again && asleep[j] === 0 ? find(parent, j) : 0
+        const may = fall + go + mine + (root > 0 && root !== find(parent, i) ? reach[root] : 0)
         const travel = motion[i * MOTION + TRAVEL] + motion[j * MOTION + TRAVEL]
         if (d[k + DUE] - travel > may) continue
-        const bound = gapBound(bodies, contacts, c)
+        const bound = gapBound(scene, c)
         if (bound > may) {
           d[k + DUE] = travel + bound
           continue
@@ -2723,7 +2715,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
         // Measured again only where that bound has grown loose, and for the gap alone.
         if (!(d[k + CLEAR] - bound < LOOSE)) {
           touch[WIDEST] = -Infinity
-          measure(bodies, contacts, walls, c)
+          measure(scene, c)
           scene.work[MEASURED]++
           d[k + DUE] = travel + touch[DISTANCE]
           if (touch[DISTANCE] > may) continue
@@ -2735,7 +2727,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       }
       mark[c] = -1
       near[islands.nearCount++] = c
-      if (j > 0 && unite(parent, reach, i, j)) grew = true
+      if (j > 0 && unite(islands, i, j)) grew = true
       const root = find(parent, i)
       if (go > reach[root]) reach[root] = go
     }
@@ -2803,7 +2795,7 @@ function rest(islands: Islands, scene: Scene): void {
       if (again === 0) {
         least[a] = -still[a * 4 + 3]
         least[b] = -still[b * 4 + 3]
-      } else if (a > 0) unite(parent, least, a, b)
+      } else if (a > 0) unite(islands, a, b)
     }
   }
   // What a blow in this very step has lifted would hang there.
@@ -2814,7 +2806,7 @@ function rest(islands: Islands, scene: Scene): void {
     if (!rested(islands, b)) continue
     // The last measurement may be some tenths of a pixel old.
     touch[WIDEST] = MARGIN
-    measure(bodies, contacts, scene.walls, c)
+    measure(scene, c)
     scene.work[MEASURED]++
     if (touch[DISTANCE] > DEEP + SLOP) least[find(parent, b)] = 0
   }
@@ -2889,9 +2881,7 @@ function stepOnce(simulation: Simulation): void {
   const { state, before, awake } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
-    before[i * 3] = state[i * STATE + X]
-    before[i * 3 + 1] = state[i * STATE + Y]
-    before[i * 3 + 2] = state[i * STATE + ANGLE]
+    for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] = state[i * STATE + axis]
   }
   if (simulation.cramped > 0) makeRoom(simulation)
   tally(bodies, awake, 0, bodies.awakeCount, AHEAD * simulation.h)
@@ -2919,12 +2909,9 @@ function fly(simulation: Simulation, i: number): void {
   const { bodies, gravity, flightAir: linear, flightSpinAir: spin } = simulation
   const { state } = bodies
   const s = i * STATE
-  const dx = linear.reach * state[s + VX]
-  const dy = linear.reach * state[s + VY] + gravity * linear.fall
-  const by = spin.reach * state[s + SPIN]
-  state[s + X] += dx
-  state[s + Y] += dy
-  state[s + ANGLE] += by
+  state[s + X] += linear.reach * state[s + VX]
+  state[s + Y] += linear.reach * state[s + VY] + gravity * linear.fall
+  state[s + ANGLE] += spin.reach * state[s + SPIN]
   state[s + VX] *= linear.fade
   state[s + VY] = linear.fade * state[s + VY] + gravity * linear.reach
   state[s + SPIN] *= spin.fade
@@ -3099,13 +3086,14 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
 
 /** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
 function warmStart(
-  { bodies, contacts, islands }: Simulation,
+  simulation: Simulation,
   b0: number,
   b1: number,
   c0: number,
   c1: number,
   grabbed: Hold[],
 ): void {
+  const { bodies, contacts, islands } = simulation
   const { motion, props } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
@@ -3121,7 +3109,7 @@ function warmStart(
     const k = c * CONTACT
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
-    carry(bodies, contacts, c, 1)
+    carry(simulation, c, 1)
     const a = contacts.pair[2 * c]
     props[a] += 2
     props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
@@ -3197,7 +3185,7 @@ function disturb(scene: Scene, i: number): void {
 
 /** Wakes the sleepers that an awake body is about to hit. One that merely lies against them wakes nobody. */
 function wakeStruck(scene: Scene): void {
-  const { bodies, contacts, walls, gravity } = scene
+  const { bodies, contacts, gravity } = scene
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = bodies.awake[n]
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -3205,12 +3193,12 @@ function wakeStruck(scene: Scene): void {
       if (bodies.asleep[j] === 0) continue
       const c = edge >> 1
       const go = speedOf(bodies, i) * STEP + 0.5 * Math.abs(gravity) * STEP * STEP
-      if (gapBound(bodies, contacts, c) > go + MARGIN) continue
+      if (gapBound(scene, c) > go + MARGIN) continue
       touch[WIDEST] = go + MARGIN
-      measure(bodies, contacts, walls, c)
+      measure(scene, c)
       scene.work[MEASURED]++
       for (let p = c * CONTACT, n = touch[COUNT]; n > 0; n--, p += SECOND) {
-        probe(bodies, contacts, c, p)
+        probe(scene, c, p)
         if (touch[GAP_NOW] < -4 * SLOP || touch[RATE_NOW] < -IMPACT_SPREAD) wake(scene, j)
       }
     }
@@ -3351,7 +3339,7 @@ function createWorld(options: WorldOptions) {
       wakeAll()
       for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
       // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
-      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c]! > 0) forgetContact(contacts, c)
+      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c] > 0) forgetContact(contacts, c)
       scene.cramped = PATIENCE
     },
 
@@ -3361,8 +3349,8 @@ function createWorld(options: WorldOptions) {
       const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[awake[n]! * 3 + axis] =
-              keep * before[awake[n]! * 3 + axis]! + sign * state[awake[n]! * STATE + axis]!
+            before[awake[n] * 3 + axis] =
+              keep * before[awake[n] * 3 + axis] + sign * state[awake[n] * STATE + axis]
       }
       // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
       shift(1, -1, 0, awakeCount)
@@ -3803,8 +3791,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let slot = 0
   /** s, when the last chip was released. */
   let released = -Infinity
-  /** The chip whose release a timer waits for. */
-  let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
@@ -3961,7 +3947,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     clock = turns = slot = 0
     released = -Infinity
     idleSince = undefined
-    disarm()
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
       const chip = chips.get(element)
@@ -3995,7 +3980,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     queue = []
     // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
     slot = Math.max(0, released + options.stagger / 1000)
-    disarm()
     waiting.forEach(schedule)
   }
 
@@ -4016,8 +4000,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const poses = world!.scene.bodies.state
     // From the world's own array: to read every chip at every release would leave an object each on the heap.
     bodies.forEach((other) => {
-      const x = poses[other.id * STATE + X]!
-      const y = poses[other.id * STATE + Y]!
+      const x = poses[other.id * STATE + X]
+      const y = poses[other.id * STATE + Y]
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     })
     look(chip)
@@ -4061,11 +4045,12 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!options.gravity && !fetched) {
       fetched = true
       // What has left by the top would float there for good: it is released anew.
-      for (const chip of chips.values())
-        if (chip.id >= 0 && chip.y < -chip.reach) {
+      bodies.forEach((chip) => {
+        if (chip.y < -chip.reach) {
           withdraw(chip)
           enqueue(chip)
         }
+      })
     }
     sync()
   }
@@ -4073,9 +4058,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function paint(id: number, asleep: boolean) {
     const chip = bodies[id]!
     const { pose } = world!
-    const x = pose[0]!
-    const y = pose[1]!
-    const angle = pose[2]!
+    const x = pose[0]
+    const y = pose[1]
+    const angle = pose[2]
     const dx = x - chip.x
     const dy = y - chip.y
     const turned = (angle - chip.angle) * chip.reach
@@ -4137,17 +4122,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
               ? 'running'
               : 'paused'
     const running = next === 'running'
+    clearTimeout(timer)
     if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)
       last = undefined
-    }
-    // Nothing moves before the next release: a timer is enough until then.
-    const upcoming = running && idle ? queue[0] : undefined
-    if (upcoming !== awaited) {
-      awaited = upcoming
-      clearTimeout(timer)
-      if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
+      // Nothing moves before the next release: a timer is enough until then.
+      if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
     }
     live = running || next === 'resting'
     if (!live || !idle) idleSince = undefined
@@ -4171,13 +4152,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
-  function disarm() {
-    clearTimeout(timer)
-    awaited = undefined
-  }
-
   function arrive() {
-    awaited = idleSince = undefined
+    idleSince = undefined
     advance(queue[0]!.due)
     sync()
   }
@@ -4199,7 +4175,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const on = hearing(listening)
     on(still, 'change', sync)
     on(page, 'visibilitychange', sync)
-    on(root, 'transitionend', ({ target }) => reshape(target))
+    on(root, 'transitionend', ({ target }) => {
+      reshape(target)
+      sync()
+    })
     on(root, 'focusin', focus)
     presses.forEach(letGo)
     if (!options.interactive) return
@@ -4226,10 +4205,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     on(view, 'lostpointercapture', up, FIRST)
   }
 
+  /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
   function scroll(event: TouchEvent) {
-    const { target } = event
-    const holds = [...presses.values()].some(({ grab, origin }) => grab && origin === target)
-    if (event.cancelable && (holds || chipAt(target)?.state === 'held')) event.preventDefault()
+    if (event.cancelable && [...presses.values()].some(({ grab }) => grab)) event.preventDefault()
   }
 
   /** Two fingers at once are the browser's. One may join another that already holds a chip. */
@@ -4257,7 +4235,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       catchUp()
       chip.due = clock
       queue.sort((a, b) => a.due - b.due)
-      disarm()
     }
     if (unseen) bringIn(chip)
     sync()
@@ -4294,7 +4271,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // Its last release may have been lost: to a dialog, another frame.
     up(event)
     const chip = touched(event)
-    if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
+    if (!chip || event.button || event.ctrlKey) return
     if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
     const press = {
@@ -4342,11 +4319,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   function hold(press: Press) {
     const { chip } = press
-    // While a finger waited a mouse may have taken it.
+    // Another hand may have it, or may have taken it while a finger waited.
     if (chip.state === 'held') return letGo(press)
     const { state: poses } = world!.scene.bodies
-    const x = poses[chip.id * STATE + X]!
-    const y = poses[chip.id * STATE + Y]!
+    const x = poses[chip.id * STATE + X]
+    const y = poses[chip.id * STATE + Y]
     clearTimeout(press.timer)
     fetched = false
     press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
@@ -4512,7 +4489,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     },
     shake() {
       if (still.matches) return
-      for (const chip of chips.values()) if (chip.id >= 0) kick(chip, SHAKE)
+      bodies.forEach((chip) => {
+        kick(chip, SHAKE)
+      })
       sync()
     },
     sync,
@@ -4529,7 +4508,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       sizes.disconnect()
       moving = false
       changes.disconnect()
-      disarm()
     },
   }
 }
@@ -4671,7 +4649,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 w-full flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full select-none flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
@@ -4685,7 +4663,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
+            'absolute top-0 [left:0] flex w-max max-w-full [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
             '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',

@@ -137,7 +137,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 w-full flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full select-none flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
@@ -151,7 +151,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full select-none [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
+            'absolute top-0 [left:0] flex w-max max-w-full [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
             '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',

@@ -220,8 +220,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let slot = 0
   /** s, when the last chip was released. */
   let released = -Infinity
-  /** The chip whose release a timer waits for. */
-  let awaited: Chip | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
@@ -378,7 +376,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     clock = turns = slot = 0
     released = -Infinity
     idleSince = undefined
-    disarm()
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
       const chip = chips.get(element)
@@ -412,7 +409,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     queue = []
     // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
     slot = Math.max(0, released + options.stagger / 1000)
-    disarm()
     waiting.forEach(schedule)
   }
 
@@ -478,11 +474,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!options.gravity && !fetched) {
       fetched = true
       // What has left by the top would float there for good: it is released anew.
-      for (const chip of chips.values())
-        if (chip.id >= 0 && chip.y < -chip.reach) {
+      bodies.forEach((chip) => {
+        if (chip.y < -chip.reach) {
           withdraw(chip)
           enqueue(chip)
         }
+      })
     }
     sync()
   }
@@ -554,17 +551,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
               ? 'running'
               : 'paused'
     const running = next === 'running'
+    clearTimeout(timer)
     if (running && !idle) frame.render(tick, true)
     else {
       cancelFrame(tick)
       last = undefined
-    }
-    // Nothing moves before the next release: a timer is enough until then.
-    const upcoming = running && idle ? queue[0] : undefined
-    if (upcoming !== awaited) {
-      awaited = upcoming
-      clearTimeout(timer)
-      if (upcoming) timer = setTimeout(arrive, (upcoming.due - clock) * 1000)
+      // Nothing moves before the next release: a timer is enough until then.
+      if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
     }
     live = running || next === 'resting'
     if (!live || !idle) idleSince = undefined
@@ -588,13 +581,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
-  function disarm() {
-    clearTimeout(timer)
-    awaited = undefined
-  }
-
   function arrive() {
-    awaited = idleSince = undefined
+    idleSince = undefined
     advance(queue[0]!.due)
     sync()
   }
@@ -616,7 +604,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const on = hearing(listening)
     on(still, 'change', sync)
     on(page, 'visibilitychange', sync)
-    on(root, 'transitionend', ({ target }) => reshape(target))
+    on(root, 'transitionend', ({ target }) => {
+      reshape(target)
+      sync()
+    })
     on(root, 'focusin', focus)
     presses.forEach(letGo)
     if (!options.interactive) return
@@ -643,10 +634,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     on(view, 'lostpointercapture', up, FIRST)
   }
 
+  /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
   function scroll(event: TouchEvent) {
-    const { target } = event
-    const holds = [...presses.values()].some(({ grab, origin }) => grab && origin === target)
-    if (event.cancelable && (holds || chipAt(target)?.state === 'held')) event.preventDefault()
+    if (event.cancelable && [...presses.values()].some(({ grab }) => grab)) event.preventDefault()
   }
 
   /** Two fingers at once are the browser's. One may join another that already holds a chip. */
@@ -674,7 +664,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       catchUp()
       chip.due = clock
       queue.sort((a, b) => a.due - b.due)
-      disarm()
     }
     if (unseen) bringIn(chip)
     sync()
@@ -711,7 +700,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Its last release may have been lost: to a dialog, another frame.
     up(event)
     const chip = touched(event)
-    if (!chip || chip.state === 'held' || event.button || event.ctrlKey) return
+    if (!chip || event.button || event.ctrlKey) return
     if (within(chip, event, EDITABLE)) return
     const touch = event.pointerType === 'touch'
     const press = {
@@ -759,7 +748,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   function hold(press: Press) {
     const { chip } = press
-    // While a finger waited a mouse may have taken it.
+    // Another hand may have it, or may have taken it while a finger waited.
     if (chip.state === 'held') return letGo(press)
     const { state: poses } = world!.scene.bodies
     const x = poses[chip.id * STATE + X]
@@ -929,7 +918,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     },
     shake() {
       if (still.matches) return
-      for (const chip of chips.values()) if (chip.id >= 0) kick(chip, SHAKE)
+      bodies.forEach((chip) => {
+        kick(chip, SHAKE)
+      })
       sync()
     },
     sync,
@@ -946,7 +937,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sizes.disconnect()
       moving = false
       changes.disconnect()
-      disarm()
     },
   }
 }

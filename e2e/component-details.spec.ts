@@ -1,0 +1,354 @@
+import type { Locator } from '@playwright/test'
+import { expect, test } from './fixtures/stage'
+
+const scaleOf = (chip: Locator) =>
+  chip.evaluate((element) => {
+    const m = new DOMMatrix(getComputedStyle(element).transform)
+    return Math.hypot(m.a, m.b)
+  })
+
+test('clicks that miss a chip, as when it has hopped away, select no words of the page', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  await stage.root.evaluate((root) =>
+    root.after(Object.assign(document.createElement('p'), { textContent: 'words after the stage' })),
+  )
+  const { x, y } = (await stage.root.boundingBox())!
+  await page.mouse.click(x + 300, y + 40, { clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`)).toBe('')
+  await page.getByText('words after').click({ clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`)).toContain('words after')
+})
+
+test('corners that a rule of the page squares by and by are square once they are drawn so', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('children')
+  await page.addStyleTag({
+    content: '.sharp [data-slot=gravity-stack-chip] > * { border-radius: 0; transition: border-radius 0.1s }',
+  })
+  await page.evaluate(() => document.body.classList.add('sharp'))
+  await expect(stage.chip('three')).toHaveCSS('border-radius', '0px')
+  await expect.poll(() => stage.overlap()).toBeLessThan(1)
+  await stage.reaches('resting')
+})
+
+test('beside a chip that has become round, in the corner of its box, nothing is pressed any more', async ({
+  stage,
+}) => {
+  await stage.settled('pile', { chips: 1, shape: 'box' })
+  /** What is pressed 2 px inside the lower right corner of its box. */
+  const pressed = () =>
+    stage.chips.first().evaluate((chip: HTMLElement) => {
+      const { x, y, width, height } = chip.getBoundingClientRect()
+      const turn = new DOMMatrix(getComputedStyle(chip).transform)
+      turn.e = x + width / 2
+      turn.f = y + height / 2
+      const at = turn.transformPoint({ x: chip.offsetWidth / 2 - 2, y: chip.offsetHeight / 2 - 2 })
+      return document.elementFromPoint(at.x, at.y)?.closest('[data-slot]')?.getAttribute('data-slot')
+    })
+  expect(await pressed()).toBe('gravity-stack-chip')
+  await stage.chips.first().evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.style.borderRadius = '99px'
+  })
+  await expect.poll(pressed).toBe('gravity-stack')
+})
+
+test('a control that is pressed and let go where it lies has its own size again', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const chip = stage.chip('a button')
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect(await scaleOf(chip)).toBeCloseTo(0.97, 3)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  expect(await scaleOf(chip)).toBeCloseTo(1, 3)
+})
+
+test('a chip falls when the first button goes up, though another is still down', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.first()
+  await stage.drag(chip, 0, -60)
+  await page.mouse.down({ button: 'right' })
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await page.mouse.up({ button: 'right' })
+  await stage.reaches('resting')
+})
+
+test('a stage whose `interactive` changes before anyone has seen it drops as ever', async ({
+  stage,
+  page,
+}) => {
+  await page.addInitScript(() =>
+    addEventListener('DOMContentLoaded', () => {
+      document.body.style.paddingTop = '3000px'
+    }),
+  )
+  await stage.open('extras')
+  await page.waitForFunction(() => window.kept?.length)
+  await page.locator('#still').evaluate((button: HTMLElement) => button.click())
+  await page.evaluate(() => scrollTo(0, 3000))
+  await stage.reaches('running')
+  await stage.reaches('resting')
+})
+
+test('drop() takes a chip out of the hand', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.first()
+  await stage.drag(chip, 0, -60)
+  await page.locator('#drop').evaluate((button: HTMLElement) => button.click())
+  await stage.reaches('resting')
+  expect(await scaleOf(chip)).toBeCloseTo(1, 3)
+  await page.mouse.up()
+})
+
+for (const [what, act] of [
+  [
+    'scrolls on by a key',
+    'document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, key: "PageUp" }))',
+  ],
+  ['scrolls on with a finger', 'document.body.dispatchEvent(new TouchEvent("touchmove", { bubbles: true }))'],
+  ['goes elsewhere with the focus', 'document.querySelector("a").focus({ preventScroll: true })'],
+]) {
+  test(`whoever ${what} while the chip with the focus falls is not brought back to it`, async ({
+    stage,
+    page,
+  }) => {
+    await page.setViewportSize({ width: 800, height: 600 })
+    await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
+    await stage.reaches('running')
+    await page.getByText('a button').focus()
+    const before = await page.evaluate(() => scrollY)
+    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
+    await page.evaluate(act)
+    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+    await stage.probe((probe) => probe.pass(3))
+    expect(await page.evaluate(() => scrollY)).toBe(before)
+  })
+}
+
+test('a child that has gone is watched no more', async ({ stage, page }) => {
+  await stage.settled('children')
+  const watched = () => stage.probe((probe) => probe.observed.resize)
+  expect(await watched()).toBe(12)
+  await page.evaluate(() => window.remove('three'))
+  await expect(stage.chips).toHaveCount(10)
+  await expect.poll(watched).toBe(11)
+})
+
+test('what others put into the stage stays as they made it', async ({ stage }) => {
+  await stage.settled('pile', { chips: 3 })
+  const seen = await stage.root.evaluate(async (root) => {
+    const other = root.appendChild(document.createElement('div'))
+    other.style.cssText = 'position: absolute; width: 50px; height: 20px'
+    const before = other.outerHTML
+    await window.probe.pass(10)
+    return other.outerHTML === before
+  })
+  expect(seen).toBe(true)
+  await stage.reaches('resting')
+})
+
+test.describe('with reduced motion', () => {
+  test.use({ contextOptions: { reducedMotion: 'reduce' } })
+  test('no hand and no touch in the row says that it can be grabbed', async ({ stage }) => {
+    await stage.open('pile')
+    await expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
+    await expect(stage.chips.first()).toHaveCSS('cursor', 'auto')
+    await expect(stage.chips.first()).toHaveCSS('touch-action', 'auto')
+  })
+
+  test('a chip of the row that has had the focus covers nothing that lies over the stage', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('controls')
+    await stage.root.evaluate((root) => {
+      const bar = document.createElement('nav')
+      bar.style.cssText = 'position: fixed; inset: 0; z-index: 1; pointer-events: auto'
+      root.parentElement!.before(bar)
+    })
+    await page.getByText('a button').focus()
+    const on = await page.getByText('a button').evaluate((button) => {
+      const { x, y } = button.getBoundingClientRect()
+      return document.elementFromPoint(x + 5, y + 5)?.tagName
+    })
+    expect(on).toBe('NAV')
+  })
+})
+
+test('a chip of many words is no wider than the stage', async ({ stage }) => {
+  await stage.settled('pile', { chips: 2 })
+  await stage.chips.first().evaluate((chip) => {
+    chip.firstElementChild!.textContent = 'word '.repeat(60)
+  })
+  await expect.poll(async () => (await stage.pile()).shapes[0].height).toBeGreaterThan(60)
+  expect((await stage.pile()).shapes[0].width).toBeLessThanOrEqual(640)
+})
+
+test('chips that come seconds apart come one at a time', async ({ stage }) => {
+  await stage.page.addInitScript(() => {
+    const fell: number[] = []
+    Object.assign(window, { fell })
+    new MutationObserver((records) => {
+      for (const { target, oldValue } of records)
+        if (oldValue === 'waiting' && (target as HTMLElement).dataset.slot === 'gravity-stack-chip')
+          fell.push(performance.now())
+    }).observe(document, { subtree: true, attributeFilter: ['data-state'], attributeOldValue: true })
+  })
+  await stage.open('pile', { chips: 3, stagger: 4000 })
+  await expect(stage.chips.nth(2)).not.toHaveAttribute('data-state', 'waiting')
+  const fell = await stage.page.evaluate(() => (window as unknown as { fell: number[] }).fell)
+  // Far from at once, on the slowest machine too.
+  expect(fell[2] - fell[1]).toBeGreaterThan(2000)
+})
+
+test('a stage that was scaled to nothing and goes leaves no timer behind', async ({ stage, page }) => {
+  await stage.settled('mounts')
+  const toggle = () => page.locator('#toggle').evaluate((button: HTMLElement) => button.click())
+  await toggle()
+  await page.locator('main').evaluate((main) => {
+    main.style.transform = 'scale(0)'
+  })
+  await toggle()
+  await stage.reaches('waiting')
+  await expect.poll(() => stage.probe((probe) => probe.timers)).toBe(1)
+  await toggle()
+  await expect(stage.root).toHaveCount(0)
+  await stage.probe((probe) => probe.pass(30))
+  await stage.isGone()
+})
+
+test('who goes to a chip by the keyboard does not hold back the chips to come', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    const now = performance.now.bind(performance)
+    Object.assign(window, { passed: 0, waits: [] })
+    performance.now = () => now() + window.passed
+    const set = window.setTimeout
+    window.setTimeout = ((work: () => void, ms?: number) => {
+      if (ms && ms > 5000) window.waits.push(ms)
+      return set(work, ms)
+    }) as typeof setTimeout
+  })
+  await stage.open('controls', { stagger: 60_000 })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  await page.evaluate(() => {
+    window.passed = 20_000
+  })
+  await page.getByText('a button').focus()
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+  await stage.probe((probe) => probe.pass(3))
+  // ms from now to the third, which comes 120 s after the first.
+  expect(await page.evaluate(() => window.waits.at(-1))).toBeLessThan(105_000)
+})
+
+test('a chip in slow fall comes up to the finger that rests on it', async ({ stage, page }) => {
+  await stage.open('pile', { chips: 1, gravity: 300 })
+  const chip = stage.chips.first()
+  const caught = await chip.evaluate(async (element) => {
+    const middle = () => {
+      const box = element.getBoundingClientRect()
+      return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 }
+    }
+    while (middle().clientY < 80) await window.probe.pass(1)
+    const at = middle()
+    element.dispatchEvent(
+      new PointerEvent('pointerdown', {
+        bubbles: true,
+        composed: true,
+        pointerId: 5,
+        pointerType: 'touch',
+        ...at,
+      }),
+    )
+    return at.clientY
+  })
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await stage.hangs(chip)
+  expect(Math.abs((await stage.centre(chip)).y - caught)).toBeLessThan(20)
+  await page.evaluate(() =>
+    document.body.dispatchEvent(new PointerEvent('pointerup', { bubbles: true, pointerId: 5 })),
+  )
+  await stage.reaches('resting')
+})
+
+test('drop() and another stagger at once let the first chip fall at once', async ({ stage, page }) => {
+  await page.addInitScript(() => {
+    Object.assign(window, { waits: [] })
+    const set = window.setTimeout
+    window.setTimeout = ((work: () => void, ms?: number) => {
+      if (ms && ms > 1000) window.waits.push(ms)
+      return set(work, ms)
+    }) as typeof setTimeout
+  })
+  await stage.settled('extras', { stagger: 500 })
+  await page.evaluate(() => {
+    for (const id of ['drop', 'pace']) document.getElementById(id)!.click()
+  })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'falling')
+  expect(await page.evaluate(() => window.waits)).toEqual([])
+})
+
+test('in a shadow tree that nobody sees into a drag is a click to nobody either', async ({ page }) => {
+  await page.goto('/surroundings?kind=closed')
+  const state = () =>
+    page.evaluate(
+      () =>
+        (window as unknown as { inside?: ShadowRoot }).inside?.querySelector<HTMLElement>(
+          '[data-slot=gravity-stack]',
+        )?.dataset.state,
+    )
+  await expect.poll(state).toBe('resting')
+  const { x, y } = await page.evaluate(() => {
+    const link = (window as unknown as { inside: ShadowRoot }).inside.querySelector('a')!
+    const box = link.getBoundingClientRect()
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+  })
+  const clicks = await page.evaluateHandle(() => {
+    const heard: string[] = []
+    const { inside } = window as unknown as { inside: ShadowRoot }
+    inside.addEventListener('click', ({ type }) => heard.push(type))
+    return heard
+  })
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(x + 40, y - 60, { steps: 8 })
+  await page.mouse.up()
+  await expect.poll(state).toBe('resting')
+  expect(await clicks.jsonValue()).toEqual([])
+  await expect(page).not.toHaveURL(/#there$/)
+})
+
+test.describe('with fingers', () => {
+  test.use({ hasTouch: true, viewport: { width: 660, height: 500 } })
+
+  test('a second finger that moves on the empty stage takes no chip from the first', async ({
+    stage,
+    page,
+  }) => {
+    await stage.settled('pile', { chips: 5, above: 100, below: 1500 })
+    const session = await page.context().newCDPSession(page)
+    const chip = stage.chips.nth(1)
+    const first = { ...(await stage.centre(chip)), id: 0 }
+    const send = (type: 'touchStart' | 'touchMove', ...touchPoints: { x: number; y: number; id: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints })
+    await send('touchStart', first)
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    await send('touchStart', first, { x: 320, y: 300, id: 1 })
+    for (let y = 290; y >= 150; y -= 10) {
+      await send('touchMove', first, { x: 320, y, id: 1 })
+      await page.evaluate(() => window.probe.pass(1))
+    }
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    expect(await page.evaluate(() => [scrollY, visualViewport!.scale])).toEqual([0, 1])
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    await stage.reaches('resting')
+  })
+})
