@@ -367,15 +367,33 @@ test('a shake while motion is reduced is none, also once it is not', async ({ st
   expect((await stage.pile()).poses).toEqual(poses)
 })
 
-for (const missing of ['matchMedia', 'IntersectionObserver', 'scrollIntoView']) {
-  test(`where a test gives a page no ${missing}, the children are there and nothing is thrown`, async ({
+for (const mocked of [false, true]) {
+  const has = mocked ? 'mocks that call back at once' : 'nothing that watches'
+  test(`in a test’s document, which has no animations and ${has}, the children are there and nothing is thrown`, async ({
     stage,
     page,
   }) => {
-    await page.addInitScript(
-      (name) => Object.assign(name in window ? window : Element.prototype, { [name]: undefined }),
-      missing,
-    )
+    await page.addInitScript((mocks) => {
+      Object.assign(Document.prototype, { getAnimations: undefined })
+      if (!mocks) {
+        Object.assign(window, {
+          matchMedia: undefined,
+          IntersectionObserver: undefined,
+          ResizeObserver: undefined,
+        })
+        return
+      }
+      window.IntersectionObserver = class extends IntersectionObserver {
+        constructor(private told: IntersectionObserverCallback) {
+          super(told)
+        }
+        override observe(target: Element) {
+          const box = target.getBoundingClientRect()
+          const entry = { target, isIntersecting: true, intersectionRatio: 1, intersectionRect: box }
+          this.told([{ ...entry, boundingClientRect: box, rootBounds: null, time: 0 }], this)
+        }
+      }
+    }, mocked)
     await stage.open('surroundings', { kind: 'front' })
     await page.locator('#next').click()
     await expect(stage.chip('new')).toBeAttached()

@@ -332,8 +332,9 @@ export function collideWall(bodies: Bodies, walls: Walls, b: number, wall: numbe
   touch[BY] = s * x + c * y
   touch[GAP] = gap
   touch[FEATURE] = (x > 0 ? 1 : 0) + (y > 0 ? 2 : 0)
-  // The other end of the lower side.
-  const flipX = hx > 0 && (hy === 0 || deepX > deepY)
+  // The other end of the lower side, or of the long one, where the short is less than geometry may lag: a hair too high
+  // for its corners a pill would stand on one end, and rock from it to the other.
+  const flipX = Math.min(hx, hy) < 0.5 ? hx > hy : deepX > deepY
   const rise = gap - 2 * (flipX ? deepX : deepY)
   if ((flipX ? hx : hy) > 0 && rise <= touch[WIDEST]) {
     if (flipX) x = -x

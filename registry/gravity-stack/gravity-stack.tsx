@@ -102,10 +102,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch; some give it one of the three, some all.
-    const { ResizeObserver, IntersectionObserver, matchMedia } = window
-    if (![ResizeObserver, IntersectionObserver, matchMedia, root.current!.scrollIntoView].every(Boolean))
-      return
+    // A document without layout, as tests have it, has nothing to watch. What else it lacks tests often give it; this hardly ever.
+    if (!document.getAnimations) return
     // What React hides and shows again keeps its pile.
     if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()

@@ -97,6 +97,21 @@ describe('a pile falls asleep', () => {
     }
   })
 
+  it('though its chips are a hair higher than their round ends: fractions of a pixel, as browsers lay out', () => {
+    for (const more of [1e-13, 1e-3, 1 / 64, 1 / 16, 1 / 2]) {
+      for (let seed = 1; seed <= 6; seed++) {
+        const chips = pourChips('pills', 40, seed).map((chip) => ({
+          ...chip,
+          height: chip.height + more,
+          radius: chip.height / 2,
+        }))
+        const { world, ids } = worldOf(chips)
+        expect(settle(world), `${more} px higher, seed ${seed}`).toBeLessThan(360)
+        expect(overlap(world, ids, chips), `${more} px higher, seed ${seed}`).toBeLessThan(0.05)
+      }
+    }
+  })
+
   it('though the stage has become narrower than any of its chips at any turn', () => {
     const chips = [60, 180, 300, 420].map((x) => ({ ...pill, x, y: floor - 15 }))
     const disc = { width: 30, height: 30, radius: 15, x: 560, y: floor - 15, angle: 0 }

@@ -251,8 +251,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
           if (world) world.resize(width, height)
           else begin()
           // What has lost its size meanwhile had none to lose.
-          for (const chip of hidden ? chips.values() : [])
-            if (chip.width && !chip.element.offsetWidth) shape(chip, 0, 0)
+          if (hidden)
+            chips.forEach((chip) => {
+              if (chip.width && !chip.element.offsetWidth) shape(chip, 0, 0)
+            })
         }
       }
     }
@@ -276,7 +278,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     for (const { target } of records) reshape(target)
     collect()
     // An element that React moves to another place loses the pointer.
-    for (const press of presses.values()) if (press.moved || !press.origin.isConnected) capture(press)
+    presses.forEach((press) => {
+      if (press.moved || !press.origin.isConnected) capture(press)
+    })
     sync()
   })
 
@@ -290,12 +294,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       if (moving) sizes.observe(element)
     }
     let waited = false
-    for (const [element, chip] of chips) {
-      if (element.parentNode === root) continue
+    chips.forEach((chip, element) => {
+      if (element.parentNode === root) return
       sizes.unobserve(element)
       waited = withdraw(chip) || waited
       chips.delete(element)
-    }
+    })
     if (waited) requeue()
   }
 
@@ -416,7 +420,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function withdraw(chip: Chip) {
     const waiting = queue.length
     queue = queue.filter((other) => other !== chip)
-    for (const press of presses.values()) if (press.chip === chip) letGo(press)
+    presses.forEach((press) => {
+      if (press.chip === chip) letGo(press)
+    })
     world?.remove(chip.id)
     delete bodies[chip.id]
     chip.id = -1
@@ -532,7 +538,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sizes.disconnect()
       if (moving) {
         sizes.observe(root)
-        for (const chip of chips.values()) sizes.observe(chip.element)
+        chips.forEach(({ element }) => {
+          sizes.observe(element)
+        })
         // Who has the focus in the row waits for nobody.
         focus({ target: (root.getRootNode() as Document).activeElement })
       }
@@ -567,11 +575,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const settled = state === 'running' && next === 'resting'
     // Not before: a stage that opens by and by is small at first.
     if (process.env.NODE_ENV !== 'production' && next === 'resting')
-      for (const chip of chips.values())
+      chips.forEach((chip) => {
         if (width * height && (chip.width >= width || chip.height > height))
           warn(
             'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
           )
+      })
     state = next
     fetched = false
     root.setAttribute('data-state', next)
@@ -636,7 +645,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
   function scroll(event: TouchEvent) {
-    if (event.cancelable && [...presses.values()].some(({ grab }) => grab)) event.preventDefault()
+    if (event.cancelable && Array.from(presses.values()).some(({ grab }) => grab)) event.preventDefault()
   }
 
   /** Two fingers at once are the browser's. One may join another that already holds a chip. */
@@ -743,7 +752,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** The page scrolls under a pointer that stands still. */
   function follow() {
-    for (const press of presses.values()) move(press.at)
+    presses.forEach((press) => {
+      move(press.at)
+    })
   }
 
   function hold(press: Press) {
