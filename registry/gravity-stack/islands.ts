@@ -33,12 +33,12 @@ export class Islands {
   /** Sleepers that something may be knocked into in this step. */
   struck: Int32Array = new Int32Array(1)
   struckCount = 0
-  /** Number of the island by root. */
+  /** Number of the island of each body. */
   number: Int32Array = new Int32Array(1)
 }
 
 /** Root of the island of body `i`. */
-export function find(parent: Int32Array, i: number): number {
+function find(parent: Int32Array, i: number): number {
   while (parent[i] !== i) {
     parent[i] = parent[parent[i]]
     i = parent[i]
@@ -46,17 +46,14 @@ export function find(parent: Int32Array, i: number): number {
   return i
 }
 
-/** Returns whether the two were apart. */
-function unite({ parent, reach }: Islands, i: number, j: number): boolean {
-  const a = find(parent, i)
-  const b = find(parent, j)
-  if (a === b) return false
+/** Makes one island of two by their roots; returns the new root. */
+function unite({ parent, reach }: Islands, a: number, b: number): number {
   // The lower slot is the root, so that the order of islands does not depend on the order of contacts.
   const root = Math.min(a, b)
   const leaf = Math.max(a, b)
   parent[leaf] = root
   if (reach[leaf] > reach[root]) reach[root] = reach[leaf]
-  return true
+  return root
 }
 
 /** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
@@ -91,20 +88,22 @@ export function findIslands(islands: Islands, scene: Scene): void {
     }
   }
   islands.count = islandCount
-  for (let n = 0; n < count; n++) bodyStart[number[find(parent, awake[n])] + 1]++
-  for (let n = 0; n < nearCount; n++) contactStart[number[find(parent, pair[2 * near[n] + 1])] + 1]++
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    number[i] = number[find(parent, i)]
+    bodyStart[number[i] + 1]++
+  }
+  for (let n = 0; n < nearCount; n++) contactStart[number[pair[2 * near[n] + 1]] + 1]++
   for (let n = 0; n < islandCount; n++) {
     bodyStart[n + 1] += bodyStart[n]
     contactStart[n + 1] += contactStart[n]
   }
   // Filled from the ends, so that the starts need no second array; backwards, so that the order stays.
   for (let n = count - 1; n >= 0; n--) {
-    const island = number[find(parent, awake[n])]
-    islands.bodies[--bodyStart[island + 1]] = awake[n]
+    islands.bodies[--bodyStart[number[awake[n]] + 1]] = awake[n]
   }
   for (let n = nearCount - 1; n >= 0; n--) {
-    const island = number[find(parent, pair[2 * near[n] + 1])]
-    sorted[--contactStart[island + 1]] = near[n]
+    sorted[--contactStart[number[pair[2 * near[n] + 1]] + 1]] = near[n]
   }
   // Each start now stands one place to the right.
   for (let n = 0; n < islandCount; n++) {
@@ -140,7 +139,7 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       // The first round sees every pair once: from A, or from the chip at a wall.
       if (!again && j > 0 && (edge & 1) === 1) continue
       const c = (edge >> 1) & INDEX
-      if (mark[c] === -1 || (asleep[j] === 1 && !again)) continue
+      if (again ? mark[c] === -1 : asleep[j] === 1) continue
       const k = c * CONTACT
       const b = j * STATE
       const coreB = shape[j * SHAPE + CORE]
@@ -171,8 +170,12 @@ function gather(islands: Islands, scene: Scene, again: boolean): boolean {
       }
       mark[c] = -1
       near[islands.nearCount++] = c
-      if (j > 0 && unite(islands, i, j)) grew = true
-      const root = find(parent, i)
+      let root = find(parent, i)
+      const other = j > 0 ? find(parent, j) : root
+      if (other !== root) {
+        root = unite(islands, root, other)
+        grew = true
+      }
       if (go > reach[root]) reach[root] = go
     }
   }
@@ -239,7 +242,7 @@ export function rest(islands: Islands, scene: Scene): void {
       if (again === 0) {
         least[a] = -still[a * 4 + 3]
         least[b] = -still[b * 4 + 3]
-      } else if (a > 0) unite(islands, a, b)
+      } else if (a > 0) unite(islands, find(parent, a), find(parent, b))
     }
   }
   // What a blow in this very step has lifted would hang there.

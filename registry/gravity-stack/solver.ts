@@ -349,7 +349,7 @@ export function sweep(
     const c = list[i] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    if (stirred[bodyA] < last && stirred[bodyB] < last) continue
+    if (((stirred[bodyA] - last) & (stirred[bodyB] - last)) < 0) continue
     rows++
     const k = c * CONTACT
     const k2 = k + SECOND
@@ -436,12 +436,11 @@ export function sweep(
       spinA -= iia * (na1 * p1 + na2 * p2)
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
-    if (change > tolerance) {
-      // The stage itself never moves.
-      if (bodyA > 0) stirred[bodyA] = turn
-      stirred[bodyB] = turn
-      latest = turn
-    }
+    // Nobody could predict a branch here. The stage itself never moves.
+    const stirs = -(change > tolerance)
+    stirred[bodyA] += (turn - stirred[bodyA]) & stirs & -(bodyA > 0)
+    stirred[bodyB] += (turn - stirred[bodyB]) & stirs
+    latest += (turn - latest) & stirs
     let t = 0
     if (friction > 0) {
       const ta = d[k + TA]

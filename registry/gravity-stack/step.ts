@@ -73,7 +73,7 @@ import {
 } from './contacts'
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, furthest, Impacts } from './impacts'
-import { find, findIslands, Islands, rest } from './islands'
+import { findIslands, Islands, rest } from './islands'
 import { keepBack, Pairs, updatePairs } from './pairs'
 import { keepInside, kick, liftWedged, move, prepare, separate, straighten, sweep } from './solver'
 
@@ -359,7 +359,7 @@ function warmStart(
 
 /** Whether the body that `hold` holds is in the island that starts at `b0`. */
 function inIsland(islands: Islands, hold: Hold, b0: number): boolean {
-  return islands.bodyStart[islands.number[find(islands.parent, hold.body)]] === b0
+  return islands.bodyStart[islands.number[hold.body]] === b0
 }
 
 /**
