@@ -14,7 +14,8 @@ export default defineConfig({
   resolve: { alias: { '@': fileURLToPath(new URL('.', import.meta.url)).replace(/\/$/, '') } },
   test: {
     include: ['**/*.test.{ts,tsx}'],
-    testTimeout: 60_000,
+    // More than twice what the longest takes on a busy machine: limits are for what hangs.
+    testTimeout: 180_000,
     maxWorkers: 2,
     sequence: { sequencer: HardScenesFirst },
     exclude: [...configDefaults.exclude, 'out/**', '.next/**', 'e2e/**'],

@@ -9,8 +9,8 @@ const advice = 'npx tsx bench/stability.ts shows the figures; with --write the p
 let rows: HardRow[]
 
 beforeAll(async () => {
-  rows = await printed('stability-child', 500)
-}, 600_000)
+  rows = await printed('stability-child', 1500)
+}, 1_600_000)
 
 describe('scenes that break solvers', () => {
   for (const { name, title, seeds } of hardScenes) {

@@ -13,7 +13,7 @@ export function DocsNavigation({ sections, path }: { sections: Navigation; path?
                 <a
                   href={page.href}
                   aria-current={path === page.href ? 'page' : undefined}
-                  className="block rounded-md px-3 py-1.5 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
+                  className="block rounded-md px-3 py-1.5 -outline-offset-2 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
                 >
                   {page.title}
                 </a>

@@ -101,7 +101,7 @@ export function Hero({ children }: { children: ReactNode }) {
       <div className="code border-t">
         <div
           data-print="hide"
-          className="relative flex flex-wrap items-center gap-1.5 border-b p-2 max-sm:*:px-3 sm:px-3"
+          className="relative flex flex-wrap items-center gap-1.5 border-b p-2 max-sm:*:px-3 sm:px-3 [@media(scripting:none)]:hidden"
         >
           {(['drop', 'shake', paused ? 'resume' : 'pause'] as const).map((name, place) => (
             <button
@@ -136,7 +136,7 @@ export function Hero({ children }: { children: ReactNode }) {
           <span className="hidden px-2 text-muted-foreground text-sm motion-reduce:inline">
             Motion is off, as your system asks.
           </span>
-          <CopyButton className="top-2 right-2 max-sm:absolute sm:ml-auto" />
+          <CopyButton className="top-2 right-2 ml-auto min-[22rem]:max-sm:absolute" />
         </div>
         <LiveCode code={heroCode({ neutral, heavier, bouncier }, action)} />
       </div>

@@ -4,8 +4,8 @@ function Icon(props: SVGProps<SVGSVGElement>) {
   return (
     <svg
       aria-hidden="true"
-      width="16"
-      height="16"
+      width="1rem"
+      height="1rem"
       viewBox="0 0 16 16"
       fill="none"
       stroke="currentColor"

@@ -7,7 +7,7 @@ export function OnThisPage({ headings }: { headings: Heading[] }) {
       {headings.length > 0 && (
         <nav
           aria-label="On this page"
-          className="sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto py-12 text-sm"
+          className="-mx-1 sticky top-14 max-h-[calc(100dvh-3.5rem)] overflow-y-auto px-1 py-12 text-sm"
         >
           <p className="font-medium">On this page</p>
           <ul className="mt-3 space-y-2">

@@ -295,7 +295,7 @@ export function Playground() {
   return (
     <div className="mt-8 grid grid-cols-[minmax(0,1fr)] gap-6 lg:grid-cols-[minmax(0,1fr)_19rem] lg:grid-rows-[auto_1fr]">
       <div data-print="hide" className="min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
-        <div className="flex flex-wrap items-center gap-2 border-b p-3">
+        <div className="flex flex-wrap items-center gap-2 border-b p-3 [@media(scripting:none)]:hidden">
           <button
             type="button"
             className={button}
@@ -320,7 +320,7 @@ export function Playground() {
           >
             Step
           </button>
-          <fieldset className="ml-auto flex flex-wrap items-center gap-2">
+          <fieldset className="flex flex-wrap items-center gap-2 sm:ml-auto">
             <legend className="sr-only">Speed</legend>
             {speeds.map(({ value, label }) => (
               <button
@@ -378,7 +378,7 @@ export function Playground() {
           </noscript>
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
-        <dl className="flex flex-wrap gap-x-6 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums">
+        <dl className="flex flex-wrap gap-x-4 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums [@media(scripting:none)]:hidden">
           {Object.entries({
             'awake chips': done.awake,
             pairs: done.pairs,
@@ -389,7 +389,7 @@ export function Playground() {
           }).map(([name, value]) => (
             <div key={name} className="flex gap-2">
               <dt>{name}</dt>
-              <dd className="min-w-6 font-medium text-foreground">{value}</dd>
+              <dd className="min-w-10 font-medium text-foreground">{value}</dd>
             </div>
           ))}
         </dl>
@@ -406,7 +406,7 @@ export function Playground() {
         data-print="hide"
         aria-label="Settings"
         onSubmit={(event) => event.preventDefault()}
-        className="flex flex-col gap-5 self-start rounded-2xl border bg-panel p-5 text-sm lg:row-span-2"
+        className="flex flex-col gap-5 self-start rounded-2xl border bg-panel p-5 text-sm lg:row-span-2 [@media(scripting:none)]:hidden"
       >
         <Field label="Words, with commas between">
           {(id) => (
@@ -455,7 +455,7 @@ export function Playground() {
         </button>
       </form>
 
-      <div className="code min-w-0 self-start overflow-hidden rounded-2xl border bg-panel">
+      <div className="code min-w-0 self-start overflow-hidden rounded-2xl border bg-panel lg:col-start-1">
         <div className="flex items-center justify-between border-b py-1 pr-1.5 pl-4">
           <span className="font-mono text-muted-foreground text-xs">pile.tsx</span>
           <CopyButton />
@@ -470,7 +470,7 @@ function Field({ label, children }: { label: ReactNode; children: (id: string) =
   const id = useId()
   return (
     <div className="flex flex-col gap-1.5">
-      <label htmlFor={id} className="flex justify-between gap-4">
+      <label htmlFor={id} className="flex flex-wrap justify-between gap-x-4">
         {label}
       </label>
       {children(id)}

@@ -12,7 +12,7 @@ const others = [
     title: 'Playground',
     href: '/playground',
     description:
-      'Gravity, bounce, friction and more to turn, slow motion and single steps, and the code for your settings.',
+      'Gravity, bounce, friction and more to tune, slow motion and single steps, and the code for your settings.',
   },
   {
     section: 'Evidence',

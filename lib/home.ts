@@ -52,7 +52,7 @@ export const ways = [
   {
     title: 'Playground',
     href: '/playground',
-    text: 'Turn what shapes the fall, step through it, take the code.',
+    text: 'Tune what shapes the fall, step through it, take the code.',
   },
   {
     title: 'How it works',

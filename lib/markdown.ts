@@ -134,7 +134,7 @@ const index = () =>
 const playground = () =>
   page(
     'Playground',
-    'Turn the props, watch the contacts, take the code.',
+    'Tune the props, watch the contacts, take the code.',
     `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out is at its default. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out.`,
     table(
       ['In the address', 'Values', 'Default'],

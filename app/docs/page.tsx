@@ -26,7 +26,10 @@ export default function Docs() {
             <ul className="mt-4 divide-y overflow-hidden rounded-2xl border bg-panel">
               {section.pages.map((page) => (
                 <li key={page.href}>
-                  <a href={page.href} className="block px-5 py-4 transition-colors hover:bg-muted">
+                  <a
+                    href={page.href}
+                    className="block rounded-2xl px-5 py-4 -outline-offset-2 transition-colors hover:bg-muted"
+                  >
                     <span className="font-medium">{page.title}</span>
                     <span className="mt-1 block text-muted-foreground text-sm">
                       {typeset(page.description)}

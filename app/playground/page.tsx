@@ -6,7 +6,7 @@ import { Playground } from '@/components/playground'
 export const metadata: Metadata = {
   title: 'Playground',
   description:
-    'Gravity, bounce, friction and more to turn, slow motion and single steps, and the code for your settings.',
+    'Gravity, bounce, friction and more to tune, slow motion and single steps, and the code for your settings.',
   alternates: { canonical: '/playground', types: { 'text/markdown': '/playground.md' } },
 }
 
@@ -15,7 +15,7 @@ export default function PlaygroundPage() {
     <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pt-10 pb-20 sm:px-6">
       <h1 className="font-semibold text-4xl tracking-[-0.03em]">Playground</h1>
       <p className="mt-3 max-w-2xl text-pretty text-lg text-muted-foreground leading-relaxed">
-        Turn the props, watch the contacts, take the code. The address holds your settings: pass it on, and
+        Tune the props, watch the contacts, take the code. The address holds your settings: share it, and
         others start from them.
       </p>
       <Playground />

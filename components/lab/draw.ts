@@ -70,11 +70,12 @@ export function drawText(
   y: number,
   colour: string,
   align: CanvasTextAlign = 'left',
+  baseline: CanvasTextBaseline = 'alphabetic',
 ) {
   context.fillStyle = colour
   context.font = font(context)
   context.textAlign = align
-  context.textBaseline = 'alphabetic'
+  context.textBaseline = baseline
   context.fillText(text, x, y)
 }
 

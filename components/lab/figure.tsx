@@ -53,7 +53,7 @@ export function Figure({
   useLayoutEffect(() => {
     paint.current = () => {
       const element = canvas.current!
-      const scale = (element.clientWidth / width) * devicePixelRatio
+      const scale = Math.min(element.clientWidth / width, element.clientHeight / height) * devicePixelRatio
       if (!near || scale === 0) return
       element.width = Math.round(width * scale)
       element.height = Math.round(height * scale)
@@ -150,7 +150,8 @@ export function Figure({
         role="img"
         aria-label={label}
         style={{ aspectRatio: `${width} / ${height}` }}
-        className="block w-full border-b bg-stage"
+        // A scene higher than wide is drawn smaller, on the floor: its controls stay where they are.
+        className="block max-h-[34rem] w-full border-b bg-stage object-contain object-bottom"
       />
       <div className="space-y-4 p-4 text-sm">
         <div data-print="hide" className="flex flex-wrap items-center gap-3">

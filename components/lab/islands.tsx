@@ -50,7 +50,7 @@ export function IslandsFigure() {
         context.fillStyle = chipColours[3]
         context.fill()
         drawLine(context, [x(at), stage.height], [x(at), floor], palette.foreground)
-        drawText(context, 'chips awake', stage.width - 8, stage.height + 18, palette.muted, 'right')
+        drawText(context, 'chips awake', stage.width - 8, stage.height + 6, palette.muted, 'right', 'top')
       }}
       readoutHeight="min-h-11 sm:min-h-5"
       readout={(at) => {

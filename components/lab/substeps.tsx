@@ -76,9 +76,10 @@ export function SubstepsFigure() {
           context,
           `worst overlap, 0 to ${graphTop} px`,
           stage.width - 8,
-          stage.height + labelHeight - 4,
+          stage.height + 5,
           palette.muted,
           'right',
+          'top',
         )
       }}
       readout={(at) => (

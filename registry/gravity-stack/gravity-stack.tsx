@@ -4,7 +4,7 @@ import { createStage, type Stage } from './stage'
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {
-  /** Drops all chips again, even when paused; does nothing before the stage has first come into view. */
+  /** Drops all chips again and ends a pause; does nothing before the stage has first come into view. */
   drop: () => void
   /** Throws the chips up to 230 px into the air; while paused, on `resume`. */
   shake: () => void
