@@ -1082,6 +1082,32 @@ test('another scene or seed starts at its beginning, and leaves the focus where 
   }
 })
 
+test('a scene is seen to be chosen before the page is busy with it, and no scene moves its controls', async ({
+  page,
+}) => {
+  await page.goto('/docs/stability')
+  for (const [n, scene] of ['A column of forty boxes stands', 'A pill falls for a second'].entries()) {
+    const figure = page.locator('[data-slot=figure]').nth(n)
+    await figure.scrollIntoViewIfNeeded()
+    await expect(figure.locator('strong').first()).toBeVisible()
+    const choice = figure.getByRole('combobox', { name: 'Scene' })
+    const picture = figure.getByRole('img')
+    const { height } = (await picture.boundingBox())!
+    const before = await picture.getAttribute('aria-label')
+    const atOnce = await choice.evaluate(async (select: HTMLSelectElement, text) => {
+      select.selectedIndex = [...select.options].findIndex((option) => option.text.includes(text))
+      select.dispatchEvent(new Event('change', { bubbles: true }))
+      await Promise.resolve()
+      return select.closest('[data-slot=figure]')!.querySelector('canvas')!.ariaLabel
+    }, scene)
+    expect(atOnce).toBe(before)
+    await expect(picture).toHaveAccessibleName(new RegExp(scene))
+    expect((await picture.boundingBox())!.height, 'a scene higher than wide is drawn smaller').toBeLessThan(
+      2 * height,
+    )
+  }
+})
+
 for (const path of ['/docs/how-it-works', '/docs/stability']) {
   test(`at 320 px nothing on ${path} moves when a figure gets its numbers`, async ({ page }) => {
     // Played, numbers that grow wider move the next ones.

@@ -1,24 +1,17 @@
 'use client'
 
-import { useState } from 'react'
 import { playHardScene, type Watch } from '@/bench/hard-run'
 import { type HardFigures, hardScenes } from '@/scenes/hard'
 import { chipColours, drawChip, drawLine } from './draw'
 import { Figure } from './figure'
 import { named } from './named'
-import { ScenePicker } from './scene-picker'
+import { ScenePicker, usePick } from './scene-picker'
 import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 /** The scenes that break solvers, played by the component's solver in this browser, each figure beside its bound. */
 export function HardScenesFigure() {
-  const [name, setName] = useState('dragged-through-everything')
-  const [seed, setSeed] = useState(1)
-  const pick = (name: string, seed: number) => {
-    setName(name)
-    setSeed(seed)
-  }
-  const scene = hardScenes.find((candidate) => candidate.name === name)!
+  const { picked, pick, scene, seed } = usePick(hardScenes, 'dragged-through-everything')
   const run = useLazy(() => {
     const frames: { states: Parameters<Watch>[1]; alive: boolean[]; width: number; height: number }[] = []
     const figures = playHardScene(scene, seed, (_, states, alive, { width, height }) => {
@@ -30,7 +23,7 @@ export function HardScenesFigure() {
   return (
     <Figure
       label={`${scene.title}, computed in this browser.`}
-      film={`${name} ${seed}`}
+      film={`${scene.name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60)}
@@ -64,7 +57,7 @@ export function HardScenesFigure() {
         })
       }
     >
-      <ScenePicker scenes={hardScenes} scene={scene} seed={seed} onPick={pick} />
+      <ScenePicker scenes={hardScenes} picked={picked} onPick={pick} />
     </Figure>
   )
 }

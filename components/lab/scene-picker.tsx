@@ -1,18 +1,37 @@
-import { useId } from 'react'
+import { useEffect, useId, useState } from 'react'
 
 type Named = { name: string; title: string; seeds: number }
+type Pick<Scene> = { scene: Scene; seed: number }
+
+/** The scene that is picked, at first the one called `first`, and the one to play, which follows once the choice is seen: the page may be busy with it for seconds. */
+export function usePick<Scene extends Named>(scenes: readonly Scene[], first: string) {
+  const [picked, pick] = useState<Pick<Scene>>(() => ({
+    scene: scenes.find(({ name }) => name === first)!,
+    seed: 1,
+  }))
+  const [played, play] = useState(picked)
+  useEffect(() => {
+    let timer: ReturnType<typeof setTimeout>
+    const request = requestAnimationFrame(() => {
+      timer = setTimeout(play, 0, picked)
+    })
+    return () => {
+      cancelAnimationFrame(request)
+      clearTimeout(timer)
+    }
+  }, [picked])
+  return { picked, pick, ...played }
+}
 
 /** Which scene a figure shows, and from which seed: another scene begins at its first. */
-export function ScenePicker({
+export function ScenePicker<Scene extends Named>({
   scenes,
-  scene,
-  seed,
+  picked: { scene, seed },
   onPick,
 }: {
-  scenes: readonly Named[]
-  scene: Named
-  seed: number
-  onPick: (name: string, seed: number) => void
+  scenes: readonly Scene[]
+  picked: Pick<Scene>
+  onPick: (pick: Pick<Scene>) => void
 }) {
   const id = useId()
   return (
@@ -22,7 +41,7 @@ export function ScenePicker({
         <select
           id={id}
           value={scene.name}
-          onChange={(event) => onPick(event.target.value, 1)}
+          onChange={(event) => onPick({ scene: scenes[event.target.selectedIndex], seed: 1 })}
           className="w-full rounded-md border bg-background px-3 py-2"
         >
           {scenes.map(({ name, title }) => (
@@ -35,7 +54,7 @@ export function ScenePicker({
       {scene.seeds > 1 && (
         <button
           type="button"
-          onClick={() => onPick(scene.name, (seed % scene.seeds) + 1)}
+          onClick={() => onPick({ scene, seed: (seed % scene.seeds) + 1 })}
           className="rounded-md border px-3 py-2 tabular-nums hover:bg-muted"
         >
           Seed {seed} of {scene.seeds}: next

@@ -1,13 +1,11 @@
 'use client'
 
-import { useState } from 'react'
 import { scenes } from '@/scenes'
 import { slowest } from '@/scenes/piles'
-import type { Scene } from '@/scenes/scene'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
 import { filmOf } from './film'
-import { ScenePicker } from './scene-picker'
+import { ScenePicker, usePick } from './scene-picker'
 import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
@@ -15,20 +13,14 @@ import { useLazy } from './use-lazy'
 const shown = scenes.filter((scene) => scene.build(1).length <= 60)
 
 export function ScenesFigure() {
-  const [name, setName] = useState('pour-mixed-60')
-  const [seed, setSeed] = useState(1)
-  const pick = (name: string, seed: number) => {
-    setName(name)
-    setSeed(seed)
-  }
-  const scene: Scene = shown.find((candidate) => candidate.name === name) ?? shown[0]
+  const { picked, pick, scene, seed } = usePick(shown, 'pour-mixed-60')
   const film = useLazy(() => filmOf(scene, seed), [scene, seed])
   const measured = useLazy(() => scene.measure(film()), [scene, seed])
 
   return (
     <Figure
       label={`The scene “${scene.title}”, computed in this browser.`}
-      film={`${name} ${seed}`}
+      film={`${scene.name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60) + 1}
@@ -55,7 +47,7 @@ export function ScenesFigure() {
         )
       }
     >
-      <ScenePicker scenes={shown} scene={scene} seed={seed} onPick={pick} />
+      <ScenePicker scenes={shown} picked={picked} onPick={pick} />
     </Figure>
   )
 }
