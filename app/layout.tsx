@@ -4,7 +4,7 @@ import type { ReactNode } from 'react'
 import { SiteFooter } from '@/components/site-footer'
 import { SiteHeader } from '@/components/site-header'
 import { mono, sans } from '@/lib/fonts'
-import { preferencesScript } from '@/lib/preferences'
+import { grounds, preferencesScript } from '@/lib/preferences'
 import { siteUrl } from '@/site.config.mjs'
 
 export const metadata: Metadata = {
@@ -19,8 +19,8 @@ export const metadata: Metadata = {
 
 export const viewport: Viewport = {
   themeColor: [
-    { media: '(prefers-color-scheme: light)', color: '#fcfbf9' },
-    { media: '(prefers-color-scheme: dark)', color: '#0f0e0d' },
+    { media: '(prefers-color-scheme: light)', color: grounds.light },
+    { media: '(prefers-color-scheme: dark)', color: grounds.dark },
   ],
 }
 

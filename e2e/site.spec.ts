@@ -376,6 +376,23 @@ test('the theme is there before the first paint, and a press on the switch is re
   expect(await first()).toBe(false)
 })
 
+test('a phone’s bar has the colour of the theme, also once the switch was pressed', async ({ page }) => {
+  const bar = () =>
+    page.evaluate(
+      () =>
+        [...document.querySelectorAll<HTMLMetaElement>('meta[name=theme-color]')].find(
+          ({ media }) => !media || matchMedia(media).matches,
+        )?.content,
+    )
+  await page.emulateMedia({ colorScheme: 'light' })
+  await page.goto('/docs/setup')
+  expect(await bar()).toBe('#fcfbf9')
+  await page.getByRole('button', { name: 'Switch between light and dark' }).click()
+  await expect.poll(bar).toBe('#0f0e0d')
+  await page.reload()
+  expect(await bar()).toBe('#0f0e0d')
+})
+
 test('the theme follows the system while nobody has pressed the switch', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'light' })
   await page.goto('/docs/setup', { waitUntil: 'networkidle' })

@@ -9,6 +9,9 @@ export const choices = {
 
 export type Choice = keyof typeof choices
 
+/** The page's ground in either theme, for what a browser draws around it. */
+export const grounds = { light: '#fcfbf9', dark: '#0f0e0d' }
+
 /**
  * Runs in <head> before the first paint, and again when a page comes back as it was left or another tab has saved
  * something. Storage throws where cookies are blocked.
@@ -26,6 +29,12 @@ export const preferencesScript = `(() => {
   }
   root.classList.toggle('dark', matchMedia('(prefers-color-scheme: dark)').matches)
   apply()
+  // The page's own colours for the bar go by the system; the first that holds counts.
+  const bar = Object.assign(document.createElement('meta'), { name: 'theme-color' })
+  const paint = () => { bar.content = root.classList.contains('dark') ? '${grounds.dark}' : '${grounds.light}' }
+  paint()
+  document.head.prepend(bar)
+  new MutationObserver(paint).observe(root, { attributeFilter: ['class'] })
   addEventListener('pageshow', (event) => event.persisted && apply())
   addEventListener('storage', apply)
 })()`
