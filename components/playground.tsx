@@ -416,7 +416,7 @@ export function Playground() {
               maxLength={500}
               value={words}
               onChange={(event) => change({ words: event.target.value })}
-              className="w-full resize-y rounded-md border bg-background px-3 py-2"
+              className="w-full resize-y rounded-md border border-input bg-background px-3 py-2"
             />
           )}
         </Field>
@@ -541,7 +541,7 @@ function Choice<Value extends string>({
           id={id}
           value={value}
           onChange={(event) => onChange(event.target.value as Value)}
-          className="w-full rounded-md border bg-background px-3 py-2"
+          className="w-full rounded-md border border-input bg-background px-3 py-2"
         >
           {options.map((option) => (
             <option key={option}>{option}</option>

@@ -42,7 +42,7 @@ export function ScenePicker<Scene extends Named>({
           id={id}
           value={scene.name}
           onChange={(event) => onPick({ scene: scenes[event.target.selectedIndex], seed: 1 })}
-          className="w-full rounded-md border bg-background px-3 py-2"
+          className="w-full rounded-md border border-input bg-background px-3 py-2"
         >
           {scenes.map(({ name, title }) => (
             <option key={name} value={name}>
