@@ -464,6 +464,16 @@ export const hardScenes: HardScene[] = [
     bounds: { ...settles, gain: 0.001 },
   },
   {
+    name: 'nearly-pills',
+    title: 'Thirty chips a 64th of a pixel higher than their round ends',
+    ...stage,
+    seconds: 8,
+    conditions: aired,
+    seeds: 20,
+    build: pourOf(30, { width: 96, height: 32 + 1 / 64, radius: 16 }),
+    bounds: { ...settles, gain: 0.001 },
+  },
+  {
     name: 'tall',
     title: 'Thirty chips taller than wide',
     ...stage,
