@@ -1,4 +1,4 @@
-import type { Locator } from '@playwright/test'
+import type { Locator, Page } from '@playwright/test'
 import { expect, test } from './fixtures/stage'
 
 const scaleOf = (chip: Locator) =>
@@ -6,6 +6,17 @@ const scaleOf = (chip: Locator) =>
     const m = new DOMMatrix(getComputedStyle(element).transform)
     return Math.hypot(m.a, m.b)
   })
+
+/** Keeps in `window.waits` how long, in ms, timers of more than `least` were asked to wait. */
+const keepWaits = (page: Page, least: number) =>
+  page.addInitScript((least) => {
+    Object.assign(window, { waits: [] })
+    const set = window.setTimeout
+    window.setTimeout = ((work: () => void, ms?: number) => {
+      if (ms && ms > least) window.waits.push(ms)
+      return set(work, ms)
+    }) as typeof setTimeout
+  }, least)
 
 test('clicks that miss a chip, as when it has hopped away, select no words of the page', async ({
   stage,
@@ -109,31 +120,6 @@ test('drop() takes a chip out of the hand', async ({ stage, page }) => {
   await page.mouse.up()
 })
 
-for (const [what, act] of [
-  [
-    'scrolls on by a key',
-    'document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { bubbles: true, key: "PageUp" }))',
-  ],
-  ['scrolls on with a finger', 'document.body.dispatchEvent(new TouchEvent("touchmove", { bubbles: true }))'],
-  ['goes elsewhere with the focus', 'document.querySelector("a").focus({ preventScroll: true })'],
-]) {
-  test(`whoever ${what} while the chip with the focus falls is not brought back to it`, async ({
-    stage,
-    page,
-  }) => {
-    await page.setViewportSize({ width: 800, height: 600 })
-    await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
-    await stage.reaches('running')
-    await page.getByText('a button').focus()
-    const before = await page.evaluate(() => scrollY)
-    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
-    await page.evaluate(act)
-    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
-    await stage.probe((probe) => probe.pass(3))
-    expect(await page.evaluate(() => scrollY)).toBe(before)
-  })
-}
-
 test('a child that has gone is watched no more', async ({ stage, page }) => {
   await stage.settled('children')
   const watched = () => stage.probe((probe) => probe.observed.resize)
@@ -229,14 +215,10 @@ test('a stage that was scaled to nothing and goes leaves no timer behind', async
 test('who goes to a chip by the keyboard does not hold back the chips to come', async ({ stage, page }) => {
   await page.addInitScript(() => {
     const now = performance.now.bind(performance)
-    Object.assign(window, { passed: 0, waits: [] })
+    Object.assign(window, { passed: 0 })
     performance.now = () => now() + window.passed
-    const set = window.setTimeout
-    window.setTimeout = ((work: () => void, ms?: number) => {
-      if (ms && ms > 5000) window.waits.push(ms)
-      return set(work, ms)
-    }) as typeof setTimeout
   })
+  await keepWaits(page, 5000)
   await stage.open('controls', { stagger: 60_000 })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
   await page.evaluate(() => {
@@ -249,45 +231,8 @@ test('who goes to a chip by the keyboard does not hold back the chips to come', 
   expect(await page.evaluate(() => window.waits.at(-1))).toBeLessThan(105_000)
 })
 
-test('a chip in slow fall comes up to the finger that rests on it', async ({ stage, page }) => {
-  await stage.open('pile', { chips: 1, gravity: 300 })
-  const chip = stage.chips.first()
-  const caught = await chip.evaluate(async (element) => {
-    const middle = () => {
-      const box = element.getBoundingClientRect()
-      return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 }
-    }
-    while (middle().clientY < 80) await window.probe.pass(1)
-    const at = middle()
-    element.dispatchEvent(
-      new PointerEvent('pointerdown', {
-        bubbles: true,
-        composed: true,
-        pointerId: 5,
-        pointerType: 'touch',
-        ...at,
-      }),
-    )
-    return at.clientY
-  })
-  await expect(chip).toHaveAttribute('data-state', 'held')
-  await stage.hangs(chip)
-  expect(Math.abs((await stage.centre(chip)).y - caught)).toBeLessThan(20)
-  await page.evaluate(() =>
-    document.body.dispatchEvent(new PointerEvent('pointerup', { bubbles: true, pointerId: 5 })),
-  )
-  await stage.reaches('resting')
-})
-
 test('drop() and another stagger at once let the first chip fall at once', async ({ stage, page }) => {
-  await page.addInitScript(() => {
-    Object.assign(window, { waits: [] })
-    const set = window.setTimeout
-    window.setTimeout = ((work: () => void, ms?: number) => {
-      if (ms && ms > 1000) window.waits.push(ms)
-      return set(work, ms)
-    }) as typeof setTimeout
-  })
+  await keepWaits(page, 1000)
   await stage.settled('extras', { stagger: 500 })
   await page.evaluate(() => {
     for (const id of ['drop', 'pace']) document.getElementById(id)!.click()

@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test'
 import { expect, test } from './fixtures/stage'
 
 const focused = () => document.activeElement!.textContent || document.activeElement!.tagName
@@ -106,22 +107,46 @@ test('focus on a chip of a stage taller than the window is in view when the chip
   await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
 })
 
-test('whoever scrolls on while the chip with the focus falls is not brought back when it lies', async ({
-  stage,
-  page,
-}) => {
-  await page.setViewportSize({ width: 800, height: 600 })
-  await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
-  await stage.reaches('running')
-  await page.mouse.move(700, 100)
-  await page.getByText('a button').focus()
-  const before = await page.evaluate(() => scrollY)
-  await page.mouse.wheel(0, 30)
-  await expect.poll(() => page.evaluate(() => scrollY)).toBe(before + 30)
-  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
-  await stage.probe((probe) => probe.pass(3))
-  expect(await page.evaluate(() => scrollY)).toBe(before + 30)
-})
+for (const [what, act] of [
+  ['scrolls on', (page: Page) => page.mouse.wheel(0, 30)],
+  [
+    'scrolls on by a key',
+    (page: Page) =>
+      page.evaluate(() => {
+        document.activeElement!.dispatchEvent(new KeyboardEvent('keydown', { bubbles: true, key: 'PageUp' }))
+      }),
+  ],
+  [
+    'scrolls on with a finger',
+    (page: Page) =>
+      page.evaluate(() => {
+        document.body.dispatchEvent(new TouchEvent('touchmove', { bubbles: true }))
+      }),
+  ],
+  [
+    'goes elsewhere with the focus',
+    (page: Page) => page.evaluate(() => document.querySelector('a')!.focus({ preventScroll: true })),
+  ],
+] as const) {
+  test(`whoever ${what} while the chip with the focus falls is not brought back to it`, async ({
+    stage,
+    page,
+  }) => {
+    await page.setViewportSize({ width: 800, height: 600 })
+    await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
+    await stage.reaches('running')
+    await page.mouse.move(700, 100)
+    await page.getByText('a button').focus()
+    const before = await page.evaluate(() => scrollY)
+    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
+    await act(page)
+    const there = before + (what === 'scrolls on' ? 30 : 0)
+    await expect.poll(() => page.evaluate(() => scrollY)).toBe(there)
+    await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
+    await stage.probe((probe) => probe.pass(3))
+    expect(await page.evaluate(() => scrollY)).toBe(there)
+  })
+}
 
 for (const [pressed, selector, interactive] of [
   ['a press on a control that falls', '[data-name=button]', true],

@@ -164,29 +164,31 @@ test('a chip dragged out of the stage stays inside, and is still held', async ({
   expect(await stage.outside()).toBeLessThan(1)
 })
 
-test('a falling chip can be caught in the air', async ({ stage, page }) => {
-  await stage.open('pile', { chips: 1, gravity: 300 })
-  const chip = stage.chips.first()
-  // Watched frame by frame in the page: a hand is quicker than a test.
-  const caught = await chip.evaluate(async (element) => {
-    const middle = () => {
-      const box = element.getBoundingClientRect()
-      return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 }
-    }
-    while (middle().clientY < 80) await window.probe.pass(1)
-    const at = middle()
-    const event = { bubbles: true, composed: true, pointerId: 5, ...at }
-    element.dispatchEvent(new PointerEvent('pointerdown', event))
-    return at.clientY
+for (const pointerType of ['mouse', 'touch']) {
+  test(`a falling chip can be caught in the air, with a ${pointerType}`, async ({ stage, page }) => {
+    await stage.open('pile', { chips: 1, gravity: 300 })
+    const chip = stage.chips.first()
+    // Watched frame by frame in the page: a hand is quicker than a test.
+    const caught = await chip.evaluate(async (element, pointerType) => {
+      const middle = () => {
+        const box = element.getBoundingClientRect()
+        return { clientX: box.x + box.width / 2, clientY: box.y + box.height / 2 }
+      }
+      while (middle().clientY < 80) await window.probe.pass(1)
+      const at = middle()
+      const event = { bubbles: true, composed: true, pointerId: 5, pointerType, ...at }
+      element.dispatchEvent(new PointerEvent('pointerdown', event))
+      return at.clientY
+    }, pointerType)
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    await stage.hangs(chip)
+    expect(Math.abs((await stage.centre(chip)).y - caught)).toBeLessThan(20)
+    await page.evaluate(() =>
+      document.body.dispatchEvent(new PointerEvent('pointerup', { bubbles: true, pointerId: 5 })),
+    )
+    await stage.reaches('resting')
   })
-  await expect(chip).toHaveAttribute('data-state', 'held')
-  await stage.hangs(chip)
-  expect(Math.abs((await stage.centre(chip)).y - caught)).toBeLessThan(20)
-  await page.evaluate(() =>
-    document.body.dispatchEvent(new PointerEvent('pointerup', { bubbles: true, pointerId: 5 })),
-  )
-  await stage.reaches('resting')
-})
+}
 
 test('with interactive off nothing can be grabbed and nothing listens', async ({ stage, page }) => {
   await stage.settled('pile', { chips: 3, interactive: false })

@@ -1,11 +1,11 @@
 import { useEffect, useId, useState } from 'react'
 
 type Named = { name: string; title: string; seeds: number }
-type Pick<Scene> = { scene: Scene; seed: number }
+type Picked<Scene> = { scene: Scene; seed: number }
 
 /** The scene that is picked, at first the one called `first`, and the one to play, which follows once the choice is seen: the page may be busy with it for seconds. */
 export function usePick<Scene extends Named>(scenes: readonly Scene[], first: string) {
-  const [picked, pick] = useState<Pick<Scene>>(() => ({
+  const [picked, pick] = useState<Picked<Scene>>(() => ({
     scene: scenes.find(({ name }) => name === first)!,
     seed: 1,
   }))
@@ -30,8 +30,8 @@ export function ScenePicker<Scene extends Named>({
   onPick,
 }: {
   scenes: readonly Scene[]
-  picked: Pick<Scene>
-  onPick: (pick: Pick<Scene>) => void
+  picked: Picked<Scene>
+  onPick: (pick: Picked<Scene>) => void
 }) {
   const id = useId()
   return (
