@@ -33,6 +33,21 @@ test('clicks that miss a chip, as when it has hopped away, select no words of th
   expect(await page.evaluate(() => `${getSelection()}`)).toContain('words after')
 })
 
+test('words too long for a stage of fractional width lie still in it, not wedged between its walls', async ({
+  stage,
+}) => {
+  await stage.settled('pile', { chips: 8 })
+  await stage.root.evaluate((root) => {
+    root.style.width = '343.4px'
+    root.querySelector('[data-slot=gravity-stack-chip]')!.firstElementChild!.textContent = 'words '.repeat(30)
+  })
+  const width = () => stage.chips.first().evaluate((chip) => Number.parseFloat(getComputedStyle(chip).width))
+  await expect.poll(width).toBeGreaterThan(340)
+  expect(await width()).toBeLessThan(343)
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(0.05)
+})
+
 test('corners that a rule of the page squares by and by are square once they are drawn so', async ({
   stage,
   page,

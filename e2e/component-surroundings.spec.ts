@@ -343,6 +343,7 @@ test('a press on a slider, or on what its owner has marked, is theirs; one on wo
   await stage.settled('surroundings', { kind: 'owned' })
   for (const [what, state] of [
     ['[role=slider]', 'resting'],
+    ['[data-slot=slider-track]', 'resting'],
     ['[data-no-grab]', 'resting'],
     ['[contenteditable=false]', 'held'],
   ]) {

@@ -3613,7 +3613,7 @@ const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
-  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
+  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
@@ -4674,9 +4674,10 @@ export const GravityStack: React.ForwardRefExoticComponent<
           data-slot="gravity-stack-chip"
           data-state="waiting"
           // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
+          // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-full [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
+            'absolute top-0 [left:0] flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
             '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',

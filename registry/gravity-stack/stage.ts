@@ -38,7 +38,7 @@ const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
-  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-no-grab]'
+  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
