@@ -71,6 +71,12 @@ test.describe('with reduced motion', () => {
     await stage.reaches('static')
   })
 
+  test('in Tailwind’s important mode the chips stand in the row as well', async ({ stage, page }) => {
+    await stage.open('pile', { important: true })
+    await begun(stage)
+    await expect.poll(() => readable(page)).toEqual(row)
+  })
+
   test('more chips than fit make the stage taller; none is cut off', async ({ stage, page }) => {
     await stage.open('pile', { chips: 120 })
     const shown = await readable(page)

@@ -402,6 +402,19 @@ for (const mocked of [false, true]) {
   })
 }
 
+test('over what keeps its presses the hand is not offered, and a cursor of its own stays', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'owned' })
+  await expect(stage.chips.first()).toHaveCSS('cursor', 'grab')
+  const canvas = stage.root.locator('canvas')
+  await expect(canvas).toHaveCSS('cursor', 'auto')
+  await page.addStyleTag({ content: '@layer utilities { .own { cursor: crosshair } }' })
+  await canvas.evaluate((element) => element.classList.add('own'))
+  await expect(canvas).toHaveCSS('cursor', 'crosshair')
+})
+
 test('a press on a popover of a chip moves no chip; its words can be selected', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'popover' })
   await expect(page.getByText('read me')).toHaveCSS('cursor', 'auto')
@@ -485,6 +498,33 @@ test('chips are where they are drawn, though the page gives every element a tran
   })
   expect(off).toBeLessThan(0.01)
   await stage.reaches('resting')
+})
+
+test('chips are where they are drawn, and hang below the pointer, though the page gives every element a margin', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 4 })
+  await page.addStyleTag({ content: '* + * { margin-top: 24px } div, i { margin-left: 24px }' })
+  const off = await stage.root.evaluate((root) => {
+    const box = root.getBoundingClientRect()
+    return [...root.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')].map((chip) => {
+      const drawn = chip.getBoundingClientRect()
+      const { width, height, transform } = getComputedStyle(chip)
+      const { e, f } = new DOMMatrix(transform)
+      return [
+        drawn.x + drawn.width / 2 - (box.x + e + Number.parseFloat(width) / 2),
+        drawn.y + drawn.height / 2 - (box.y + f + Number.parseFloat(height) / 2),
+      ]
+    })
+  })
+  for (const distance of off.flat()) expect(distance).toBeCloseTo(0, 1)
+  const chip = stage.chips.first()
+  const pointer = await stage.drag(chip, 0, -120)
+  await stage.hangs(chip)
+  const centre = await stage.centre(chip)
+  expect(Math.hypot(centre.x - pointer.x, centre.y - pointer.y)).toBeLessThan(4)
+  await page.mouse.up()
 })
 
 test('a pill that begins with words and styles nobody sees falls as the pill it is', async ({

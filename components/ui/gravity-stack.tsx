@@ -3753,7 +3753,7 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('i'))
     // By transforms: what is laid out that far down goes to the next column where there are columns.
-    probe.style.cssText = `position:absolute;left:0;top:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
     return probe
   })
   // All are written before any is read: one layout.
@@ -4677,9 +4677,9 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [&_:is(dialog,[popover],:fullscreen)]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
+            'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable],[data-no-grab]))]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
-            '[&[data-state=waiting]:not(:focus-within)]:[transform:translateY(calc(-100%-6rem))]',
+            '[&:where([data-state=waiting]:not(:focus-within))]:[transform:translateY(calc(-100%-6rem))]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',

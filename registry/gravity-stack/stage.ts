@@ -178,7 +178,7 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('i'))
     // By transforms: what is laid out that far down goes to the next column where there are columns.
-    probe.style.cssText = `position:absolute;left:0;top:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
     return probe
   })
   // All are written before any is read: one layout.
