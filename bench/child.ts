@@ -196,7 +196,8 @@ function allocation(engine: Engine, job: Extract<Job, { kind: 'allocation' }>) {
   }
   // The compiler's own traces go with the first runs.
   for (let seed = 1; seed <= 12; seed++) pour(seed)
-  return Math.max(0, median([1, 2, 3].map(pour)))
+  // Now and then one more comes between.
+  return Math.max(0, Math.min(...[1, 2, 3, 4, 5, 6, 7, 8, 9].map(pour)))
 }
 
 const seconds = () => {

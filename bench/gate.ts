@@ -6,7 +6,7 @@ import { filmScene } from './film'
 type SceneBound = { errors: Record<string, number>; work: Record<string, number> }
 export type Bounds = Record<string, SceneBound>
 
-/** What costs time: pairs measured, contact points solved, sub-steps, sweeps. */
+/** What costs time: pairs measured, contact points that touch after a step, sub-steps, sweeps. */
 const counted = ['narrow', 'points', 'substeps', 'sweeps']
 
 /** Chaotic scenes are held to their first seed. */

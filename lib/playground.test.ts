@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest'
-import { chipsOf, codeOf, defaults, elevationNote, fromQuery, toQuery } from './playground'
+import { chipsOf, codeOf, defaults, elevationNote, fromQuery, looks, shapes, toQuery } from './playground'
 
 test('an untouched playground has a clean address', () => {
   expect(toQuery(defaults)).toBe('')
@@ -52,4 +52,21 @@ test('a word may go over lines; in the code it stands on one', () => {
 test('code that needs the elevation tokens says so first', () => {
   expect(codeOf({ ...defaults, look: 'neutral' }).startsWith(elevationNote)).toBe(true)
   expect(codeOf(defaults)).toMatch(/^import /)
+})
+
+test('the code has every prop that is set, and no other', () => {
+  const props = 'gravity={100} bounce={1} friction={0} stagger={0} interactive={false}'
+  const set = { gravity: 100, bounce: 1, friction: 0, stagger: 0, interactive: false }
+  expect(codeOf({ ...defaults, ...set })).toContain(`<GravityStack ${props} className="h-96">`)
+  expect(codeOf(defaults)).toContain('<GravityStack className="h-96">')
+})
+
+test('the code has every class of the chips on the stage', () => {
+  for (const shape of shapes) {
+    for (const look of looks) {
+      const code = codeOf({ ...defaults, shape, look })
+      for (const { className } of chipsOf({ ...defaults, shape, look }))
+        for (const name of className.split(' ')) expect(code).toContain(name)
+    }
+  }
 })

@@ -104,7 +104,7 @@ export function RunOnDevice() {
                     engine,
                     points: points
                       .filter((point) => point.engine === engine)
-                      .map((point) => ({ x: point.cost, y: point[measure], setting: point.setting })),
+                      .map((point) => ({ x: point.cost, y: point[measure] })),
                   }))}
                 />
               </figure>

@@ -49,7 +49,7 @@ function outermost(events: TraceEvent[]): Span[] {
 
 const length = (spans: Span[]) => spans.reduce((sum, { from, to }) => sum + to - from, 0)
 
-export function costOf(values: number[]): FrameCost {
+function costOf(values: number[]): FrameCost {
   const sorted = values.toSorted((a, b) => a - b)
   if (sorted.length === 0) return { median: 0, p99: 0, worst: 0 }
   const at = (share: number) => sorted[Math.min(sorted.length - 1, Math.floor(share * sorted.length))]

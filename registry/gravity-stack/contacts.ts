@@ -149,16 +149,15 @@ export class Scene {
   uneven = 0
   holds: Hold[] = []
   /** What was done so far, by kind: for tests and tools, which set it back to 0 as they like. */
-  work: Float64Array = new Float64Array(6)
+  work: Float64Array = new Float64Array(5)
 }
 
-/** Record of `work`: steps in which something was awake, sub-steps, sweeps, contacts that they visited, impacts that theirs did, pairs measured. */
-export const STEPS_TAKEN = 0
-export const SUBSTEPS_TAKEN = 1
-export const SWEPT = 2
-export const VISITED = 3
-export const HITS = 4
-export const MEASURED = 5
+/** Record of `work`: sub-steps, sweeps, contacts that they visited, impacts that theirs did, pairs measured. */
+export const SUBSTEPS_TAKEN = 0
+export const SWEPT = 1
+export const VISITED = 2
+export const HITS = 3
+export const MEASURED = 4
 
 function link({ head, next }: Contacts, edge: number, body: number): void {
   next[edge] = head[body]

@@ -67,7 +67,6 @@ import {
   probe,
   Scene,
   SECOND,
-  STEPS_TAKEN,
   SUBSTEPS_TAKEN,
   SWEPT,
 } from './contacts'
@@ -117,7 +116,7 @@ export class Simulation extends Scene {
 
 /** One step of all that is awake. */
 export function stepOnce(simulation: Simulation): void {
-  const { bodies, pairs, islands, work } = simulation
+  const { bodies, pairs, islands } = simulation
   const { state, before, awake } = bodies
   for (let n = 0; n < bodies.awakeCount; n++) {
     const i = awake[n]
@@ -140,7 +139,6 @@ export function stepOnce(simulation: Simulation): void {
     if (c0 === c1 && bodies.held[islands.bodies[b0]] === 0) fly(simulation, islands.bodies[b0])
     else solve(simulation, b0, b1, c0, c1)
   }
-  work[STEPS_TAKEN]++
   if (simulation.sleeps) rest(islands, simulation)
 }
 

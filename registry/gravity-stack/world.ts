@@ -1,5 +1,5 @@
 import { ANGLE, INV_INERTIA, INV_MASS, SPIN, STATE, VX, VY, X, Y } from './body'
-import { CONTACT, HITS, MEASURED, POINTS, STEPS_TAKEN, SUBSTEPS_TAKEN, SWEPT, VISITED } from './contacts'
+import { CONTACT, HITS, MEASURED, POINTS, SUBSTEPS_TAKEN, SWEPT, VISITED } from './contacts'
 import { createWorld as createBareWorld, type WorldOptions } from './simulation'
 
 export type { BodyOptions, Grab, Motion, WorldOptions } from './simulation'
@@ -21,10 +21,12 @@ export function createWorld(options: WorldOptions) {
   const world = createBareWorld(options)
   const { bodies, contacts, islands, work } = world.scene
   const { step } = world
+  let acted = false
 
   const tools = {
     step(seconds: number): void {
       work.fill(0)
+      acted = bodies.awakeCount > 0
       step(seconds)
     },
 
@@ -41,10 +43,8 @@ export function createWorld(options: WorldOptions) {
         points += here
       }
       return {
-        /** Steps in which something was awake; others are not taken. */
-        steps: work[STEPS_TAKEN],
-        awake: work[STEPS_TAKEN] > 0 ? islands.bodyStart[islands.count] : 0,
-        islands: work[STEPS_TAKEN] > 0 ? islands.count : 0,
+        awake: acted ? islands.bodyStart[islands.count] : 0,
+        islands: acted ? islands.count : 0,
         substeps: work[SUBSTEPS_TAKEN],
         sweeps: work[SWEPT],
         pairs,
