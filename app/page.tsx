@@ -10,7 +10,7 @@ export const metadata: Metadata = { alternates: { canonical: '/', types: { 'text
 
 export default async function Home() {
   return (
-    <main id="content" className="mx-auto w-full max-w-[80rem] flex-1 px-4 pb-24 sm:px-6">
+    <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
         <Hero>
           <div className="flex min-h-[min(42rem,calc(100svh-15rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-52 max-sm:[@media(scripting:none)]:pb-[28rem] max-[16rem]:pb-[40rem]">

@@ -17,7 +17,7 @@ export function ElevationLadder() {
           key={theme}
           className={classes(
             theme,
-            'overflow-hidden rounded-2xl border border-(--edge-outline) bg-elevation-0 px-6 pt-5 pb-8 [print-color-adjust:exact]',
+            'overflow-hidden rounded-2xl border border-(--edge-outline) bg-elevation-0 px-6 pt-5 pb-8 forced-color-adjust-none [print-color-adjust:exact]',
           )}
         >
           <p className={classes('text-xs', theme === 'dark' ? 'text-neutral-300' : 'text-neutral-600')}>

@@ -24,6 +24,7 @@ import {
 } from '@/lib/playground'
 import { stillMotion } from '@/lib/still-motion'
 import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/constants'
+import { cornerRadius } from '@/scenes/exact-distance'
 import { CopyButton } from './copy-button'
 import { chipColours, drawChip, drawDot, drawLine, paletteOf } from './lab/draw'
 import { inspect, meanMass } from './lab/inspect'
@@ -171,21 +172,31 @@ export function Playground() {
     if (!settings) return
     const element = stage.current!
     const elements = [...element.querySelectorAll<HTMLElement>('[data-chip]')]
-    const sizes = elements.map((chip) => ({
+    const measure = (chip: HTMLElement) => ({
       width: chip.offsetWidth,
       height: chip.offsetHeight,
       radius: Number.parseFloat(getComputedStyle(chip.firstElementChild!).borderTopLeftRadius),
-    }))
+    })
+    const sizes = elements.map(measure)
     for (const chip of elements) chip.style.transform = 'translateY(-200%)'
     const { clientWidth: width, clientHeight: height } = element
     pile.current = createPile({ width, height, gravity, bounce, friction, stagger, seed }, sizes)
     setWork(idle)
     kick.current()
     const resize = new ResizeObserver(() => {
-      pile.current!.world.resize(element.clientWidth, element.clientHeight)
+      const { world, ids } = pile.current!
+      world.resize(element.clientWidth, element.clientHeight)
+      elements.forEach((chip, place) => {
+        const size = measure(chip)
+        const { width, height } = sizes[place]
+        if (size.width === width && size.height === height) return
+        // A font that came late makes other chips.
+        sizes[place] = size
+        if (place < ids.length) world.reshape(ids[place], { ...size, radius: cornerRadius(size) })
+      })
       kick.current()
     })
-    resize.observe(element)
+    for (const box of [element, ...elements]) resize.observe(box)
     return () => resize.disconnect()
   }, [chips, stagger, seed, drop])
 

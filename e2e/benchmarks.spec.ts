@@ -1,5 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { test as early, expect } from '@playwright/test'
+import type { Results } from '../bench/report'
+import { figure } from '../lib/figure'
 import { test, withhold } from './alive'
 
 test.describe('benchmarks', () => {
@@ -220,4 +222,36 @@ early('figures that are opened before the script is there come with it', async (
   await expect(figure.getByRole('link', { name: 'errors.csv' })).toBeVisible()
   letCome()
   await expect(figure.getByRole('row').nth(3)).toBeVisible()
+})
+
+test('goals missed in a browser are said to be missed, and no others', async ({ page }) => {
+  await page.goto('/benchmarks')
+  const table = page.getByRole('region', { name: 'In a browser' })
+  await expect(table.getByRole('row', { name: /^Script of the stage/ })).toContainText('missed')
+  await expect(table.getByRole('row', { name: /^Layouts to bring/ })).not.toContainText('missed')
+})
+
+test('the tables of costs and bytes have the figures of the raw data', async ({ page }) => {
+  const { pourCosts, bytes }: Results = JSON.parse(readFileSync('bench/results/results.json', 'utf8'))
+  await page.goto('/benchmarks')
+  const cost = (engine: string, chips: number) =>
+    pourCosts.find((row) => row.engine === engine && row.chips === chips)!.cost!.mean
+  const costs = page.getByRole('region', { name: /^Cost by number of chips/ }).getByRole('row')
+  await expect(costs.filter({ hasText: 'Gravity Stack' }).getByRole('cell')).toHaveText(
+    [12, 60, 250, 1000, 4000].map((chips) => figure(cost('gravity-stack', chips))),
+  )
+  const simd = costs.filter({ hasText: 'wasm with SIMD' })
+  const share = figure(cost('box2d3-wasm-simd', 60) / cost('gravity-stack', 60))
+  await expect(simd.getByRole('cell').nth(1)).toHaveText(
+    `${figure(cost('box2d3-wasm-simd', 60))} (${share} ×)`,
+  )
+  await expect(page.getByRole('region', { name: 'Who is cheaper' }).getByRole('row').nth(2)).toContainText(
+    `wasm with SIMD ${share}`,
+  )
+  const weights = page.getByRole('region', { name: 'Bytes, allocation and sleep' }).getByRole('row')
+  await expect(weights.filter({ hasText: 'Matter' }).getByRole('cell').first()).toHaveText(
+    (bytes.find(({ name }) => name === 'matter-js')!.gzip / 1000).toFixed(1),
+  )
+  await expect(page.getByRole('region', { name: 'Sixty pills, all properties' })).toContainText('not in 6 s')
+  await expect(page.locator('figure svg path[stroke-dasharray]')).not.toHaveCount(0)
 })

@@ -120,3 +120,88 @@ test('long words stay inside their discs, and discs are round', async ({ page })
     expect(over).toBeLessThanOrEqual(0)
   }
 })
+
+test('a slider of the playground acts on the chips in the air', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=1&stagger=0')
+  const chip = page.locator('[data-chip]')
+  const height = () => chip.evaluate((e) => new DOMMatrix(getComputedStyle(e).transform).f)
+  const step = async () => {
+    await page.getByRole('button', { name: 'Step' }).click()
+    return height()
+  }
+  const waiting = await height()
+  await expect.poll(step, { intervals: [0] }).not.toBe(waiting)
+  await page.getByLabel('gravity').press('Home')
+  const [a, b, c] = [await step(), await step(), await step()]
+  expect(c - b - (b - a)).toBeCloseTo(0, 0)
+})
+
+test('at 1/20 of the speed a second is three frames', async ({ page }) => {
+  await page.clock.install()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=1&stagger=0')
+  await page.getByRole('button', { name: 'Speed 1/20×' }).click()
+  await page.getByRole('button', { name: 'Play' }).click()
+  await page.clock.runFor(1000)
+  await expect(page.locator('dt', { hasText: 'awake chips' }).locator('+ dd')).toHaveText('0')
+  await page.getByRole('button', { name: 'Speed 1×' }).click()
+  await page.clock.runFor(200)
+  await expect(page.locator('dt', { hasText: 'awake chips' }).locator('+ dd')).toHaveText('1')
+})
+
+test('words, look and interactive of the playground are those of its chips', async ({ page }) => {
+  await page.goto('/playground?count=2')
+  const stage = page.locator('[data-slot=playground-stage]')
+  const chips = stage.locator('[data-chip]')
+  await page.getByLabel('Words').fill('here, there')
+  await expect(chips).toHaveText(['here', 'there'])
+  const colour = () =>
+    chips.locator('span').evaluateAll((all) => all.map((e) => getComputedStyle(e).backgroundColor))
+  const tinted = await colour()
+  expect(tinted[0]).not.toBe(tinted[1])
+  await page.getByLabel('Look').selectOption('ink')
+  await expect.poll(colour).not.toEqual(tinted)
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  const press = async (button: 'left' | 'right') => {
+    const { x, y, width, height } = (await chips.first().boundingBox())!
+    await page.mouse.move(x + width / 2, y + height / 2)
+    await page.mouse.down({ button })
+    await page.mouse.move(x + width / 2, y - 60, { steps: 4 })
+  }
+  await press('right')
+  await page.mouse.up({ button: 'right' })
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  await page.getByLabel('interactive').uncheck()
+  await press('left')
+  await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))))
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  await page.mouse.up()
+})
+
+test('in a narrower window the chips of the playground stay inside', async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 800 })
+  await page.goto('/playground')
+  const stage = page.locator('[data-slot=playground-stage]')
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  await page.setViewportSize({ width: 500, height: 800 })
+  const beyond = () =>
+    stage.evaluate((e) =>
+      Math.max(
+        ...[...e.querySelectorAll('[data-chip]')].map((c) => {
+          const b = c.getBoundingClientRect(),
+            s = e.getBoundingClientRect()
+          return (b.left + b.right) / 2 - s.right
+        }),
+      ),
+    )
+  await expect.poll(beyond).toBeLessThan(0)
+})
+
+test('Reset sets the speed and the overlay back as well', async ({ page }) => {
+  await page.goto('/playground?count=1')
+  await page.getByRole('button', { name: 'Speed 1/4×' }).click()
+  await page.getByRole('button', { name: 'Overlay' }).click()
+  await page.getByRole('button', { name: 'Reset' }).click()
+  await expect(page.locator('main button[aria-pressed=true]')).toHaveText(['1×'])
+})

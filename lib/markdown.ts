@@ -196,7 +196,7 @@ const benchmarks = () =>
         ...figures.map(({ text, missed }) => (missed ? `${text}, goal missed` : text)),
       ]),
     ),
-    `How all of this was measured, and what to know before you believe it: ${siteUrl}/benchmarks#fair`,
+    `“Circle chains” is the method of this component’s first design, written afresh for this comparison. How all of this was measured, and what to know before you believe it: ${siteUrl}/benchmarks#fair`,
   )
 
 /** Every page as Markdown, by the path of its twin. */

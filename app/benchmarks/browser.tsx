@@ -155,7 +155,7 @@ export function InBrowser({ download }: { download: ReactNode }) {
         Times come from the browser’s trace of the main thread, from the first frame of the drop until all lie
         still, or two seconds after the last release where nothing ever does, each the median of three drops.
         A frame loop that does nothing takes {three(idle[1])}&nbsp;ms here, and {three(idle[4])}&nbsp;ms with
-        the processor slowed four times. A star marks a goal that is missed.
+        the processor slowed four times.
       </p>
       <div className="mt-6">
         <Table
@@ -169,12 +169,7 @@ export function InBrowser({ download }: { download: ReactNode }) {
             ...figures.map(({ stage, text, missed }) => (
               <span key={stage} className="whitespace-nowrap">
                 {/* Before the figure: on a narrow screen what comes after it is out of sight. */}
-                {missed && (
-                  <strong className="relative text-(--gravity-stack)">
-                    <span aria-hidden="true">★ </span>
-                    <span className="sr-only">goal missed </span>
-                  </strong>
-                )}
+                {missed && <strong className="font-medium">missed: </strong>}
                 {text}
               </span>
             )),
