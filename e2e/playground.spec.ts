@@ -205,3 +205,27 @@ test('Reset sets the speed and the overlay back as well', async ({ page }) => {
   await page.getByRole('button', { name: 'Reset' }).click()
   await expect(page.locator('main button[aria-pressed=true]')).toHaveText(['1×'])
 })
+
+test('chips whose words come to need more room make it, and stay between the walls', async ({ page }) => {
+  await page.goto('/playground?count=30')
+  const stage = page.locator('[data-slot=playground-stage]')
+  const chips = stage.locator('[data-chip]')
+  await expect(stage).toHaveAttribute('data-state', 'resting')
+  /** px, how far any pill reaches through a wall. */
+  const through = () =>
+    stage.evaluate((element) =>
+      Math.max(
+        ...[...element.querySelectorAll<HTMLElement>('[data-chip]')].map((chip) => {
+          const { offsetWidth: w, offsetHeight: h } = chip
+          const { a, e } = new DOMMatrix(getComputedStyle(chip).transform)
+          const reach = (Math.abs(a) * (w - h) + h) / 2
+          return reach - Math.min(e + w / 2, element.clientWidth - e - w / 2)
+        }),
+      ),
+    )
+  const width = () => chips.first().evaluate((chip: HTMLElement) => chip.offsetWidth)
+  const before = await width()
+  await page.addStyleTag({ content: '[data-chip] { letter-spacing: 0.2em }' })
+  await expect.poll(width).toBeGreaterThan(before + 5)
+  await expect.poll(through).toBeLessThan(1)
+})
