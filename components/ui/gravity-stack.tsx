@@ -75,7 +75,7 @@ const TOLERANCE_MOST = 10
  * px/s, and px/s²: an island in which nothing is faster, or accelerates more, is in balance: the step's other sub-steps would repeat
  * this one. What starts no faster than that would count as at rest anyway: half a pixel in half a second.
  */
-const BALANCE = 0.1
+const BALANCE = 0.4
 const BALANCE_GAIN = 4
 /** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
 const TOLERANCE_STILL = 0.003
@@ -1148,8 +1148,6 @@ class Scene {
   lively = false
   /** px of relative motion after which a touching pair of the present island is measured again. */
   loose = 0.5
-  /** px/s, what is slower in the present island its first sweep leaves alone. */
-  slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
@@ -1725,14 +1723,13 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const c = edge >> 1
     const k = c * CONTACT
-    if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
-      continue
+    if (d[k + POINTS] === 0 || contacts.mark[c] === impacts.phase) continue
     let struck = false
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(scene, c, p)
       if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
-    if (!struck) continue
+    if (!struck || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0) continue
     // What has been put off hits now, as it would have.
     if (contacts.mark[c] !== impacts.phase - 1) {
       d[k + SECOND + GOAL] = -Infinity
@@ -1815,7 +1812,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
  */
 function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
   const { state, motion, shape, stirred, moved, props } = scene.bodies
-  const { gravity, slow } = scene
+  const { gravity, tolerance } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
@@ -1854,7 +1851,7 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    stirred[i] = speed > slow || moved[i] > 0 ? 0 : NEVER
+    stirred[i] = speed > tolerance || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -2579,6 +2576,8 @@ class Islands {
   parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array = new Float64Array(1)
+  /** px, that of its island when each body was last asked whom it may be knocked into. */
+  asked: Float64Array = new Float64Array(1)
   /** Contacts that matter in this step. */
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
@@ -2614,12 +2613,12 @@ function unite({ parent, reach }: Islands, a: number, b: number): number {
 
 /** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
 function findIslands(islands: Islands, scene: Scene): void {
-  const { parent, reach } = islands
+  const { asked, parent, reach } = islands
   const { awake, awakeCount: count } = scene.bodies
   const { mark, near, pair, sorted } = scene.contacts
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
-    reach[awake[n]] = 0
+    reach[awake[n]] = asked[awake[n]] = 0
   }
   for (const hold of scene.holds)
     reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
@@ -2677,14 +2676,18 @@ function findIslands(islands: Islands, scene: Scene): void {
 function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
   const { bodies, contacts, gravity } = scene
-  const { parent, reach } = islands
+  const { asked, parent, reach } = islands
   const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
     const mine = again ? reach[find(parent, i)] : 0
-    if (again && mine < 1) continue
+    if (again) {
+      // Where its island's has not grown since, the others' own turns tell.
+      if (mine < 1 || mine === asked[i]) continue
+      asked[i] = mine
+    }
     const a = i * STATE
     const vx = s[a + VX]
     const vy = s[a + VY]
@@ -2967,7 +2970,6 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   simulation.lively = lively
   simulation.crushing = unequal && lively
   simulation.loose = speed > ROCKING * Math.abs(simulation.gravity) && !lively ? REFRESH_ROCKING : REFRESH
-  simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
     : Math.max(

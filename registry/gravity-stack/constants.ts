@@ -63,7 +63,7 @@ export const TOLERANCE_MOST = 10
  * px/s, and px/s²: an island in which nothing is faster, or accelerates more, is in balance: the step's other sub-steps would repeat
  * this one. What starts no faster than that would count as at rest anyway: half a pixel in half a second.
  */
-export const BALANCE = 0.1
+export const BALANCE = 0.4
 export const BALANCE_GAIN = 4
 /** px/s, the tolerance where nothing is faster than that: one sub-step a step has time to be exact. */
 export const TOLERANCE_STILL = 0.003

@@ -141,8 +141,6 @@ export class Scene {
   lively = false
   /** px of relative motion after which a touching pair of the present island is measured again. */
   loose = 0.5
-  /** px/s, what is slower in the present island its first sweep leaves alone. */
-  slow = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */

@@ -351,14 +351,13 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
     const c = edge >> 1
     const k = c * CONTACT
-    if (contacts.mark[c] === impacts.phase || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0)
-      continue
+    if (d[k + POINTS] === 0 || contacts.mark[c] === impacts.phase) continue
     let struck = false
     for (let p = k, n = 0; n < d[k + POINTS]; n++, p += SECOND) {
       probe(scene, c, p)
       if (touch[RATE_NOW] < -impacts.passOn && isNear(impacts, scene, i, c, p)) struck = true
     }
-    if (!struck) continue
+    if (!struck || bodies.asleep[pair[2 * c]] + bodies.asleep[pair[2 * c + 1]] > 0) continue
     // What has been put off hits now, as it would have.
     if (contacts.mark[c] !== impacts.phase - 1) {
       d[k + SECOND + GOAL] = -Infinity

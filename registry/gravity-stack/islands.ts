@@ -23,6 +23,8 @@ export class Islands {
   parent: Int32Array = new Int32Array(1)
   /** px by which the fastest approach in an island may close a gap within the step. */
   reach: Float64Array = new Float64Array(1)
+  /** px, that of its island when each body was last asked whom it may be knocked into. */
+  asked: Float64Array = new Float64Array(1)
   /** Contacts that matter in this step. */
   nearCount = 0
   /** Bodies and contacts island by island: island n has bodies[bodyStart[n]..bodyStart[n + 1]). */
@@ -58,12 +60,12 @@ function unite({ parent, reach }: Islands, a: number, b: number): number {
 
 /** Islands of the bodies that are awake. Where `struck` lists any, they are to be woken, and the islands found again. */
 export function findIslands(islands: Islands, scene: Scene): void {
-  const { parent, reach } = islands
+  const { asked, parent, reach } = islands
   const { awake, awakeCount: count } = scene.bodies
   const { mark, near, pair, sorted } = scene.contacts
   for (let n = 0; n < count; n++) {
     parent[awake[n]] = awake[n]
-    reach[awake[n]] = 0
+    reach[awake[n]] = asked[awake[n]] = 0
   }
   for (const hold of scene.holds)
     reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
@@ -121,14 +123,18 @@ export function findIslands(islands: Islands, scene: Scene): void {
 function gather(islands: Islands, scene: Scene, again: boolean): boolean {
   let grew = false
   const { bodies, contacts, gravity } = scene
-  const { parent, reach } = islands
+  const { asked, parent, reach } = islands
   const { data: d, head, mark, near, next, pair } = contacts
   const { state: s, motion, shape, asleep, awake, awakeCount: count } = bodies
   const fall = MARGIN + 0.5 * Math.abs(gravity) * STEP * STEP
   for (let n = 0; n < count; n++) {
     const i = awake[n] & INDEX
     const mine = again ? reach[find(parent, i)] : 0
-    if (again && mine < 1) continue
+    if (again) {
+      // Where its island's has not grown since, the others' own turns tell.
+      if (mine < 1 || mine === asked[i]) continue
+      asked[i] = mine
+    }
     const a = i * STATE
     const vx = s[a + VX]
     const vy = s[a + VY]

@@ -106,7 +106,7 @@ import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './
  */
 export function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
   const { state, motion, shape, stirred, moved, props } = scene.bodies
-  const { gravity, slow } = scene
+  const { gravity, tolerance } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING : 0
@@ -145,7 +145,7 @@ export function kick(scene: Scene, list: Int32Array, from: number, to: number, a
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
     const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
-    stirred[i] = speed > slow || moved[i] > 0 ? 0 : NEVER
+    stirred[i] = speed > tolerance || moved[i] > 0 ? 0 : NEVER
   }
 }
 

@@ -203,7 +203,6 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   simulation.lively = lively
   simulation.crushing = unequal && lively
   simulation.loose = speed > ROCKING * Math.abs(simulation.gravity) && !lively ? REFRESH_ROCKING : REFRESH
-  simulation.slow = still ? TOLERANCE_STILL : BALANCE
   simulation.tolerance = still
     ? TOLERANCE_STILL
     : Math.max(
