@@ -13,7 +13,7 @@ export default async function Home() {
     <main id="content" className="mx-auto w-full max-w-[88rem] flex-1 px-4 pb-24 sm:px-6">
       <div className="mt-4 sm:mt-6">
         <Hero>
-          <div className="flex min-h-[min(42rem,calc(100svh-15rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-52 max-sm:[@media(scripting:none)]:pb-[28rem] max-[16rem]:pb-[40rem]">
+          <div className="flex min-h-[min(42rem,calc(100svh-15rem))] flex-col items-center px-5 pt-10 pb-80 text-center max-sm:motion-reduce:pb-[28rem] sm:pt-14 sm:pb-60 max-sm:[@media(scripting:none)]:pb-[28rem] max-[16rem]:pb-[40rem]">
             <h1 className="text-balance font-semibold text-5xl tracking-[-0.045em] sm:text-7xl">
               {pitch.title}
             </h1>
