@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { expect, test } from './fixtures/stage'
+import { expect, type StagePage, test } from './fixtures/stage'
 
 const focused = () => document.activeElement!.textContent || document.activeElement!.tagName
 
@@ -95,13 +95,18 @@ test('focus on a chip that is falling is in view when it lies, though the floor 
   await expect(page.getByText('Read the docs')).toBeInViewport({ ratio: 0.9 })
 })
 
+/** A stage taller than the window, its first chips in the air. */
+async function tall(stage: StagePage, page: Page) {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
+  await stage.reaches('running')
+}
+
 test('focus on a chip of a stage taller than the window is in view when the chip lies', async ({
   stage,
   page,
 }) => {
-  await page.setViewportSize({ width: 800, height: 600 })
-  await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
-  await stage.reaches('running')
+  await tall(stage, page)
   await page.getByText('a button').focus()
   await expect(stage.chip('a button')).toHaveAttribute('data-state', 'resting')
   await expect(page.getByText('a button')).toBeInViewport({ ratio: 0.9 })
@@ -132,9 +137,7 @@ for (const [what, act] of [
     stage,
     page,
   }) => {
-    await page.setViewportSize({ width: 800, height: 600 })
-    await stage.open('controls', { box: 'h-[1100px] w-[640px]', stagger: 60_000 })
-    await stage.reaches('running')
+    await tall(stage, page)
     await page.mouse.move(700, 100)
     await page.getByText('a button').focus()
     const before = await page.evaluate(() => scrollY)

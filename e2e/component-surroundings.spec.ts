@@ -410,6 +410,7 @@ test('over what keeps its presses the hand is not offered, and a cursor of its o
   await expect(stage.chips.first()).toHaveCSS('cursor', 'grab')
   const canvas = stage.root.locator('canvas')
   await expect(canvas).toHaveCSS('cursor', 'auto')
+  await expect(stage.root.getByText('fixed')).toHaveCSS('cursor', 'grab')
   await page.addStyleTag({ content: '@layer utilities { .own { cursor: crosshair } }' })
   await canvas.evaluate((element) => element.classList.add('own'))
   await expect(canvas).toHaveCSS('cursor', 'crosshair')

@@ -2,7 +2,7 @@ import { ANGLE, INV_INERTIA, INV_MASS, SPIN, STATE, VX, VY, X, Y } from './body'
 import { CONTACT, HITS, MEASURED, POINTS, SUBSTEPS_TAKEN, SWEPT, VISITED } from './contacts'
 import { createWorld as createBareWorld, type WorldOptions } from './simulation'
 
-export type { WorldOptions } from './simulation'
+export type { BodyOptions, Grab, Motion, WorldOptions } from './simulation'
 
 export interface Reading {
   x: number
