@@ -255,3 +255,51 @@ test('the tables of costs and bytes have the figures of the raw data', async ({ 
   await expect(page.getByRole('region', { name: 'Sixty pills, all properties' })).toContainText('not in 6 s')
   await expect(page.locator('figure svg path[stroke-dasharray]')).not.toHaveCount(0)
 })
+
+test('marks stand where the axes say, dearer to the top and more chips to the right', async ({ page }) => {
+  const { pourCosts }: Results = JSON.parse(readFileSync('bench/results/results.json', 'utf8'))
+  await page.goto('/benchmarks')
+  const plot = page.locator('figure svg').filter({ hasText: 'Cost by number of chips' })
+  const texts = await plot
+    .locator('text')
+    .evaluateAll((all) => all.map((e) => [e.textContent!, e.getAttribute('x'), e.getAttribute('y')]))
+  const at = (label: string, place: number) => Number(texts.find(([text]) => text === label)![place])
+  const across = (chips: number) => {
+    const [from, to] = [at('100', 1), at('1,000', 1)]
+    return from + (to - from) * Math.log10(chips / 100)
+  }
+  const [path] = await plot
+    .locator('[data-engine=gravity-stack] path')
+    .evaluateAll((all) => all.map((e) => e.getAttribute('d')!.slice(1).split('L')))
+  const marks = path.map((mark) => mark.split(' ').map(Number))
+  const costs = pourCosts.filter(
+    ({ engine, setting }) => engine === 'gravity-stack' && Object.keys(setting).length === 0,
+  )
+  expect(marks).toHaveLength(costs.length)
+  const [low, high] = [costs[0], costs[costs.length - 1]].map(({ cost }) => cost!.mean)
+  const decade = (marks[0][1] - marks[marks.length - 1][1]) / Math.log10(high / low)
+  expect(decade).toBeGreaterThan(0)
+  for (const [i, { chips, cost }] of costs.entries()) {
+    expect(Math.abs(marks[i][0] - across(chips))).toBeLessThan(0.2)
+    expect(Math.abs(marks[0][1] - marks[i][1] - decade * Math.log10(cost!.mean / low))).toBeLessThan(0.2)
+  }
+})
+
+test('what is said to be on the frontier no other beats, and all of that is said', async ({ request }) => {
+  const figures: Record<string, [number, string, number | null, number, 0 | 1][]> = await (
+    await request.get('/benchmarks/figures.json')
+  ).json()
+  for (const [name, rows] of Object.entries(figures)) {
+    if (!rows.some((row) => row[4])) continue
+    // Figures are rounded, so that two may look alike.
+    for (const row of rows) {
+      const [, setting, error, cost, best] = row
+      const beaten = rows.some(([, , by, at]) => by !== null && by < (error ?? Infinity) && at < cost)
+      const met = rows.some(
+        (other) => other !== row && other[2] !== null && other[2] <= error! && other[3] <= cost,
+      )
+      if (best) expect(beaten, `${name} ${setting} ${cost}`).toBe(false)
+      else expect(met || error === null, `${name} ${setting} ${cost}`).toBe(true)
+    }
+  }
+})

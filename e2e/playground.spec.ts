@@ -84,6 +84,11 @@ test('slider and code read an address alike, and words that were taken out stay 
   await expect(page.getByLabel('Words, with commas between')).toHaveValue('')
 })
 
+test('of an address with a whole book in it the playground takes the first 500 letters', async ({ page }) => {
+  await page.goto(`/playground?words=${'a'.repeat(3000)}`)
+  await expect(page.getByLabel('Words, with commas between')).toHaveValue('a'.repeat(500))
+})
+
 test('the seed is said not to be in the code, and is not', async ({ page }) => {
   await page.goto('/playground?seed=7')
   await expect(page.getByLabel('Seed (not in the code)')).toHaveValue('7')

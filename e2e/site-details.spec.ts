@@ -220,3 +220,14 @@ test('what a hard scene misses is said to be missed', async ({ page }) => {
   const table = page.getByRole('group', { name: 'Scenes that break solvers' })
   await expect(table.getByText('missed', { exact: true })).toHaveCount(missed)
 })
+
+test('a choice saved by another version of the site hides nothing', async ({ page }) => {
+  await page.addInitScript(() => {
+    localStorage.setItem('theme', 'sepia')
+    localStorage.setItem('package-manager', 'cargo')
+    localStorage.setItem('install', 'curl')
+  })
+  await page.goto('/docs/gravity-stack')
+  await expect(page.getByText('npx shadcn@latest add').first()).toBeVisible()
+  await expect(page.getByRole('tab', { name: 'npm' }).first()).toHaveAttribute('aria-selected', 'true')
+})
