@@ -724,7 +724,7 @@ test('words can be read before any script is asked for', async ({ page }) => {
   }
 })
 
-// The framework, React and the page's own take 137 of them.
+// The framework, React and the page's own take 136 of them.
 test('the component page brings at most 165 kB of script', async ({ page }) => {
   // What the links of the page fetch in advance belongs to other pages.
   await page.route(/_rsc=/, (route) => route.abort())
