@@ -8,6 +8,7 @@ const kinds = [
   'rtl',
   'scroller',
   'columns',
+  'second column',
   'growing',
   'shadow',
   'frame',
@@ -17,9 +18,10 @@ for (const kind of kinds) {
     stage: outer,
     page,
   }) => {
-    await outer.open('places', { kind })
+    const second = kind === 'second column'
+    await outer.open('places', { kind: second ? 'columns' : kind })
     const scope = kind === 'frame' ? page.frameLocator('iframe') : page
-    const stage = new StagePage(page, scope.locator('[data-slot=gravity-stack]').first())
+    const stage = new StagePage(page, scope.locator('[data-slot=gravity-stack]').nth(second ? 1 : 0))
     await stage.reaches('resting')
     if (kind === 'scroller') {
       await page.locator('#scroller').evaluate((element) => element.scrollTo(60, 40))

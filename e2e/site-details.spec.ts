@@ -209,7 +209,10 @@ test('code has colours', async ({ page }) => {
 test('scroll bars have the colours of the page', async ({ page }) => {
   await page.emulateMedia({ colorScheme: 'dark' })
   await page.goto('/docs/setup')
-  const bar = await page.locator('.code pre').first().evaluate((e) => getComputedStyle(e).scrollbarColor)
+  const bar = await page
+    .locator('.code pre')
+    .first()
+    .evaluate((e) => getComputedStyle(e).scrollbarColor)
   expect(bar).toMatch(/^lab.* rgba\(0, 0, 0, 0\)$/)
 })
 

@@ -177,15 +177,15 @@ function hearing({ signal }: AbortController) {
 function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('i'))
-    // By transforms: what is laid out that far down goes to the next column where there are columns.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;transform:translate(${i === 1 ? 1000 : 0}px,${i === 2 ? 1000 : 0}px)`
+    // By transforms, not far, and of some size: where there are columns it would go to another one.
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
     return probe
   })
   // All are written before any is read: one layout.
   const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
   for (const probe of probes) probe.remove()
   return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
-    .scale(0.001)
+    .scale(0.01)
     .inverse()
 }
 
@@ -358,7 +358,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     }
     if (!face) chip.element.style.borderRadius = ''
     // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    const corners = (face ?? getComputedStyle(chip.element)).borderRadius.split(/[ /]+/)
+    // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
+    const corners = (face ?? getComputedStyle(chip.element)).borderRadius
+      .replace(/(calc.)?infinity . /g, '9e9')
+      .split(/[ /]+/)
     const short = Math.min(chip.width, chip.height)
     chip.radius = Math.min(
       ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
