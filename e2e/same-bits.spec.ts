@@ -86,7 +86,8 @@ async function compare(found: string) {
   expect(releases).toEqual(JSON.parse(runInNewContext(`${await script};found`)).releases)
 }
 
-const engines = findEngines()
+// WebKit's own shell is asked instead of its browser.
+const engines = findEngines().filter(({ name }) => name !== 'WebKit')
 const missing = engines.filter(({ path }) => !path).map(({ name }) => name)
 const without = missing.length > 0 ? ` (${missing.join(' and ')} could not be asked: not installed)` : ''
 

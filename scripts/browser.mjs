@@ -82,6 +82,12 @@ const engines = {
     version: ['-e', "print('JavaScriptCore')"],
     package: 'libjavascriptcoregtk-4.0-bin',
   },
+  // The whole of it, in WebKitGTK's small browser, which this starts, and a screen for it.
+  WebKit: {
+    names: ['WebKitWebDriver'],
+    version: ['--help'],
+    package: 'webkit2gtk-driver xvfb',
+  },
 }
 
 /** The paths of the engines beside Chromium's: undefined for one that isn't here. */
@@ -91,9 +97,9 @@ export const findEngines = () =>
     path: [...onPath(names), macPath].find((path) => versionOf(path, ...version)),
   }))
 
-/** Brings the engines that are missing, 90 MB at most, and gives the names of those that can't be had. */
+/** Brings the engines that are missing, 160 MB at most, and gives the names of those that can't be had. */
 export async function bringEngines() {
-  for (const { name, path } of findEngines()) if (!path) await aptGet(engines[name].package)
+  for (const { name, path } of findEngines()) if (!path) await aptGet(...engines[name].package.split(' '))
   const found = findEngines()
   for (const { name, path } of found) console.log(`${name}: ${path ?? 'not to be had'}`)
   return found.filter(({ path }) => !path).map(({ name }) => name)
