@@ -71,6 +71,20 @@ class WebDriver {
     await expect.poll(() => this.stateOf(STAGE)).toBe(state)
   }
 
+  /** Takes a chip by its centre to where it is to hang. */
+  async carry(chip: string, x: number, y: number) {
+    const from = await this.centreOf(chip)
+    await this.act('pointer', { type: 'pointerMove', ...from }, { type: 'pointerDown', button: 0 })
+    await this.reaches('running')
+    expect(await this.stateOf(chip)).toBe('held')
+    await this.act('pointer', { type: 'pointerMove', x, y, duration: 200 })
+    const lag = async () => {
+      const at = await this.centreOf(chip)
+      return Math.hypot(at.x - x, at.y - y)
+    }
+    await expect.poll(lag).toBeLessThan(30)
+  }
+
   async overlap() {
     const { shapes, poses, stage } = await this.$eval(STAGE, readPile)
     return worstOverlap(shapes, poses, stage)
@@ -118,16 +132,7 @@ if (command) {
     // A pill of 36 px.
     expect(await page.$eval(chip(1), (element) => element.style.borderRadius)).toBe('18px')
 
-    const from = await page.centreOf(chip(3))
-    await page.act('pointer', { type: 'pointerMove', ...from }, { type: 'pointerDown', button: 0 })
-    await page.reaches('running')
-    expect(await page.stateOf(chip(3))).toBe('held')
-    await page.act('pointer', { type: 'pointerMove', x: 320, y: 100, duration: 200 })
-    const lag = async () => {
-      const at = await page.centreOf(chip(3))
-      return Math.hypot(at.x - 320, at.y - 100)
-    }
-    await expect.poll(lag).toBeLessThan(30)
+    await page.carry(chip(3), 320, 100)
     await page.act('pointer', { type: 'pointerUp', button: 0 })
     expect(await page.stateOf(chip(3))).toBe('falling')
 
@@ -140,6 +145,15 @@ if (command) {
       return window.probe.frames - before
     })
     expect(frames).toBe(0)
+  })
+
+  test('in WebKit a chip of a stage in CSS columns hangs where it is held', async ({
+    webkit: page,
+    baseURL,
+  }) => {
+    await page.open(`${baseURL}/places?kind=columns`)
+    await page.reaches('resting')
+    await page.carry(chip(2), 240, 60)
   })
 
   test('in WebKit a drag on a link does not follow it; the key after a drag that no click follows does', async ({
