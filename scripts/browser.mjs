@@ -1,5 +1,5 @@
 // Finds a Chromium for the tests: one that is here, else Playwright's own, else the system package manager's.
-// And two more engines that the solver's bits are compared in, where they are here or can be had.
+// And the engines of the other browsers, where they are here or can be had.
 import { execFileSync } from 'node:child_process'
 import { accessSync, constants } from 'node:fs'
 import { createRequire } from 'node:module'
