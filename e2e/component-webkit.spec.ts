@@ -21,8 +21,9 @@ const chip = (n: number) => `${STAGE} > :nth-child(${n})`
 class WebDriver {
   constructor(readonly address: string) {}
 
-  async post(path: string, body: object) {
-    const response = await fetch(this.address + path, { method: 'POST', body: JSON.stringify(body) })
+  /** Asks, or tells where there is a body. */
+  async send(path: string, body?: object) {
+    const response = await fetch(this.address + path, body && { method: 'POST', body: JSON.stringify(body) })
     const { value } = await response.json()
     if (!response.ok) throw new Error(value.message)
     return value
@@ -30,16 +31,16 @@ class WebDriver {
 
   /** Calls a function in the page. */
   evaluate<A extends unknown[], T>(work: (...args: A) => T, ...args: A): Promise<Awaited<T>> {
-    return this.post('/execute/sync', { script: `return (${work})(...arguments)`, args })
+    return this.send('/execute/sync', { script: `return (${work})(...arguments)`, args })
   }
 
   async $eval<T>(selector: string, read: (element: HTMLElement) => T) {
-    return this.evaluate(read, await this.post('/element', { using: 'css selector', value: selector }))
+    return this.evaluate(read, await this.send('/element', { using: 'css selector', value: selector }))
   }
 
   /** Writes a page into an empty one of its site, as WebDriver can't have the probe run before all else. */
   async open(url: string) {
-    await this.post('/url', { url: new URL('/', url).href })
+    await this.send('/url', { url: new URL('/', url).href })
     await this.evaluate(
       async (url, probe) => {
         const page = await (await fetch(url)).text()
@@ -53,7 +54,7 @@ class WebDriver {
   }
 
   act(type: 'pointer' | 'key', ...actions: object[]) {
-    return this.post('/actions', { actions: [{ type, id: type, actions }] })
+    return this.send('/actions', { actions: [{ type, id: type, actions }] })
   }
 
   stateOf(selector: string) {
@@ -107,7 +108,7 @@ const test = base.extend<{ settings: string; webkit: WebDriver }>({
     try {
       const server = new WebDriver(`http://127.0.0.1:${port}`)
       await expect(() => fetch(`${server.address}/status`)).toPass()
-      const { sessionId } = await server.post('/session', { capabilities: {} })
+      const { sessionId } = await server.send('/session', { capabilities: {} })
       const page = new WebDriver(`${server.address}/session/${sessionId}`)
       await use(page)
       expect(await page.evaluate(() => window.probe.errors)).toEqual([])
@@ -154,6 +155,23 @@ if (command) {
     await page.open(`${baseURL}/places?kind=columns`)
     await page.reaches('resting')
     await page.carry(chip(2), 240, 60)
+  })
+
+  test('in WebKit chips fall in a window that the page has opened', async ({ webkit: page, baseURL }) => {
+    await page.open(`${baseURL}/surroundings?kind=popup`)
+    const button = await page.centreOf('#open')
+    await page.act(
+      'pointer',
+      { type: 'pointerMove', ...button },
+      { type: 'pointerDown', button: 0 },
+      { type: 'pointerUp', button: 0 },
+    )
+    const windows = (): Promise<string[]> => page.send('/window/handles')
+    await expect.poll(async () => (await windows()).length).toBe(2)
+    const handle = await page.send('/window')
+    await page.send('/window', { handle: (await windows()).find((other) => other !== handle) })
+    await page.reaches('resting')
+    await page.send('/window', { handle })
   })
 
   test('in WebKit a drag on a link does not follow it; the key after a drag that no click follows does', async ({

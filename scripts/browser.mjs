@@ -1,7 +1,7 @@
 // Finds a Chromium for the tests: one that is here, else Playwright's own, else the system package manager's.
 // And the engines of the other browsers, where they are here or can be had.
 import { execFileSync } from 'node:child_process'
-import { accessSync, constants } from 'node:fs'
+import { accessSync, constants, existsSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { delimiter, join } from 'node:path'
 import { isMain, run } from './run.mjs'
@@ -85,6 +85,7 @@ const engines = {
   // The whole of it, in WebKitGTK's small browser, which this starts, and a screen for it.
   WebKit: {
     names: ['WebKitWebDriver'],
+    needs: ['Xvfb'],
     version: ['--help'],
     package: 'webkit2gtk-driver xvfb',
   },
@@ -92,9 +93,11 @@ const engines = {
 
 /** The paths of the engines beside Chromium's: undefined for one that isn't here. */
 export const findEngines = () =>
-  Object.entries(engines).map(([name, { names, macPath, version }]) => ({
+  Object.entries(engines).map(([name, { names, needs, macPath, version }]) => ({
     name,
-    path: [...onPath(names), macPath].find((path) => versionOf(path, ...version)),
+    path: [...onPath(names), macPath].find(
+      (path) => versionOf(path, ...version) && (!needs || onPath(needs).some(existsSync)),
+    ),
   }))
 
 /** Brings the engines that are missing, 160 MB at most, and gives the names of those that can't be had. */

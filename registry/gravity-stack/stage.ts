@@ -143,20 +143,25 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
-let watcher: IntersectionObserver | undefined
+type View = typeof globalThis & Window
+
+const watchers = new WeakMap<View, IntersectionObserver>()
 const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
 
-/** Tells what is in view of `element`; all stages of a page share one observer. */
-function watch(element: Element, seen: (entry: IntersectionObserverEntry) => void) {
-  watched.set(element, seen)
-  watcher ??= new IntersectionObserver(
-    (entries) => {
-      for (const entry of entries) watched.get(entry.target)?.(entry)
-    },
-    // Of a very tall stage even a hundredth may be all that fits.
-    { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
-  )
-  watcher.observe(element)
+/** Tells what is in view of those that are in `watched`; all stages of a window share it. */
+function watcherOf(view: View) {
+  let watcher = watchers.get(view)
+  if (!watcher) {
+    watcher = new view.IntersectionObserver(
+      (entries) => {
+        for (const entry of entries) watched.get(entry.target)?.(entry)
+      },
+      // Of a very tall stage even a hundredth may be all that fits.
+      { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
+    )
+    watchers.set(view, watcher)
+  }
+  return watcher
 }
 
 /** The element around another, outside of a shadow tree too. */
@@ -192,7 +197,9 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
-  const view = page.defaultView!
+  // Observers are of the stage's own window: in one that the page has opened no other sees it.
+  const view = page.defaultView as View
+  const watcher = watcherOf(view)
   const still = view.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
   /** Pointers that are down on a chip, by their id. */
@@ -236,8 +243,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   // Shapes
 
-  // Of the stage's own window: in one that the page has opened no other sees it.
-  const sizes = new (view as typeof globalThis & Window).ResizeObserver((entries) => {
+  const sizes = new view.ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
       const chip = chipAt(target)
       if (chip) shape(chip, contentRect.width, contentRect.height)
@@ -269,8 +275,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   })
 
   function lookAgain() {
-    watcher!.unobserve(root)
-    watcher!.observe(root)
+    watcher.unobserve(root)
+    watcher.observe(root)
   }
 
   /** Chips come, go and change their look without a word from React. */
@@ -938,12 +944,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sync()
     },
     sync,
-    attach: () => watch(root, seen),
+    attach() {
+      watched.set(root, seen)
+      watcher.observe(root)
+    },
     detach() {
       inView = false
       sync()
       presses.forEach(letGo)
-      watcher!.unobserve(root)
+      watcher.unobserve(root)
       watched.delete(root)
       listening?.abort()
       listening = undefined
