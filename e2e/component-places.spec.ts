@@ -9,6 +9,7 @@ const kinds = [
   'scroller',
   'columns',
   'second column',
+  'split',
   'growing',
   'shadow',
   'frame',
@@ -27,6 +28,8 @@ for (const kind of kinds) {
       await page.locator('#scroller').evaluate((element) => element.scrollTo(60, 40))
     }
     expect(await stage.overlap()).toBeLessThan(1)
+    // In one piece: the pile of one that is broken in two lies in its upper half, cut off.
+    expect(await stage.root.evaluate((element) => element.getClientRects().length)).toBe(1)
     const chip = stage.chips.nth(1)
     // A mark in the chip tells where its point is on the screen, whatever turns or scales the stage.
     await chip.evaluate((element) => {

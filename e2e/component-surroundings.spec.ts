@@ -506,7 +506,9 @@ test('chips are where they are drawn, and hang below the pointer, though the pag
   page,
 }) => {
   await stage.settled('pile', { chips: 4 })
-  await page.addStyleTag({ content: '* + * { margin-top: 24px } div, i { margin-left: 24px }' })
+  await page.addStyleTag({
+    content: '* + * { margin-top: 24px } div, i { margin-left: 24px } i:empty { display: none }',
+  })
   const off = await stage.root.evaluate((root) => {
     const box = root.getBoundingClientRect()
     return [...root.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')].map((chip) => {

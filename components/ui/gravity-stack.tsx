@@ -3756,7 +3756,7 @@ function hearing({ signal }: AbortController) {
 /** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('i'))
+    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
     // By transforms, not far, and of some size: where there are columns it would go to another one.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
     return probe
@@ -4674,7 +4674,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 w-full select-none flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full break-inside-avoid select-none flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,

@@ -181,7 +181,7 @@ function hearing({ signal }: AbortController) {
 /** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
 function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('i'))
+    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
     // By transforms, not far, and of some size: where there are columns it would go to another one.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
     return probe
