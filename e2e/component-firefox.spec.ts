@@ -3,7 +3,7 @@ import { type Browser, launch, type Page } from 'puppeteer-core'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { readPile } from './fixtures/stage'
+import { growth, readPile } from './fixtures/stage'
 
 // A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign, and gets no page.
 
@@ -73,13 +73,7 @@ if (executablePath) {
 
     await reaches(page, 'resting')
     expect(await overlap(page)).toBeLessThan(1)
-    const frames = await page.evaluate(async () => {
-      await window.probe.pass(3)
-      const before = window.probe.frames
-      await window.probe.pass(20)
-      return window.probe.frames - before
-    })
-    expect(frames).toBe(0)
+    expect(await page.evaluate(growth)).toBe(0)
   })
 
   test('in Firefox a drag on a link does not follow it; the key after a drag that no click follows does', async ({

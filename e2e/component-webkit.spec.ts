@@ -7,7 +7,7 @@ import { test as base, expect } from '@playwright/test'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { readPile } from './fixtures/stage'
+import { growth, readPile } from './fixtures/stage'
 import { freePort } from './free-port'
 
 // Safari's engine in WebKitGTK's small browser, by its own WebDriver: Playwright's WebKit is a build of its own.
@@ -139,13 +139,7 @@ if (command) {
 
     await page.reaches('resting')
     expect(await page.overlap()).toBeLessThan(1)
-    const frames = await page.evaluate(async () => {
-      await window.probe.pass(3)
-      const before = window.probe.frames
-      await window.probe.pass(20)
-      return window.probe.frames - before
-    })
-    expect(frames).toBe(0)
+    expect(await page.evaluate(growth)).toBe(0)
   })
 
   test('in WebKit a chip of a stage in CSS columns hangs where it is held', async ({

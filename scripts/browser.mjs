@@ -73,21 +73,21 @@ const engines = {
     names: ['firefox-esr', 'firefox'],
     macPath: '/Applications/Firefox.app/Contents/MacOS/firefox',
     version: ['--version'],
-    package: 'firefox-esr',
+    packages: ['firefox-esr'],
   },
   // WebKit's engine as a bare shell: it tells no version.
   JavaScriptCore: {
     names: ['jsc'],
     macPath: '/System/Library/Frameworks/JavaScriptCore.framework/Versions/Current/Helpers/jsc',
     version: ['-e', "print('JavaScriptCore')"],
-    package: 'libjavascriptcoregtk-4.0-bin',
+    packages: ['libjavascriptcoregtk-4.0-bin'],
   },
   // The whole of it, in WebKitGTK's small browser, which this starts, and a screen for it.
   WebKit: {
     names: ['WebKitWebDriver'],
     needs: ['Xvfb'],
     version: ['--help'],
-    package: 'webkit2gtk-driver xvfb',
+    packages: ['webkit2gtk-driver', 'xvfb'],
   },
 }
 
@@ -102,7 +102,7 @@ export const findEngines = () =>
 
 /** Brings the engines that are missing, 160 MB at most, and gives the names of those that can't be had. */
 export async function bringEngines() {
-  for (const { name, path } of findEngines()) if (!path) await aptGet(...engines[name].package.split(' '))
+  for (const { name, path } of findEngines()) if (!path) await aptGet(...engines[name].packages)
   const found = findEngines()
   for (const { name, path } of found) console.log(`${name}: ${path ?? 'not to be had'}`)
   return found.filter(({ path }) => !path).map(({ name }) => name)
