@@ -153,6 +153,19 @@ test('a drag that starts on a link moves the chip, and neither follows nor drags
   await expect(page.locator(done)).toContainText('click link')
 })
 
+test('what can be dragged around the stage does not hear that a drag begins', async ({ stage, page }) => {
+  await stage.settled('pile')
+  await page.evaluate(() => {
+    const card = document.querySelector('main')!
+    card.draggable = true
+    card.addEventListener('dragstart', () => card.setAttribute('data-heard', ''))
+  })
+  await stage.drag(stage.chips.first(), 40, -60)
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await expect(page.locator('main')).not.toHaveAttribute('data-heard')
+})
+
 test('after a drag that no click follows, the keyboard still follows the link at once', async ({
   stage,
   page,

@@ -214,3 +214,38 @@ test('nothing is announced as the chips fall', async ({ stage, page }) => {
   await stage.reaches('resting')
   await expect(heard).toHaveCount(0)
 })
+
+test('who closes a dialog that a button in a chip has opened is not scrolled anywhere', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.settled('controls', { above: 400, box: 'h-[500px] w-[640px]' })
+  await page.evaluate(() => {
+    document.body.style.paddingBottom = '2000px'
+    scrollTo(0, 550)
+    const dialog = document.body.appendChild(document.createElement('dialog'))
+    document.querySelector('[data-name=button]')!.addEventListener('click', () => dialog.showModal())
+  })
+  // The press takes the chip up, so that it falls as the dialog opens.
+  await page.getByText('a button').click()
+  await expect(stage.chip('a button')).toHaveAttribute('data-state', 'falling')
+  await page.keyboard.press('Escape')
+  await expect(page.getByText('a button')).toBeFocused()
+  await stage.probe((probe) => probe.pass(3))
+  expect(await page.evaluate(() => scrollY)).toBe(550)
+})
+
+test('a field that comes with the focus is in view when it lies', async ({ stage, page }) => {
+  await page.setViewportSize({ width: 800, height: 320 })
+  await stage.settled('surroundings', { kind: 'field' })
+  await page.evaluate(() => {
+    document.querySelector('main')!.style.paddingTop = '160px'
+    scrollTo(0, 0)
+  })
+  await page.locator('#next').evaluate((button: HTMLElement) => button.click())
+  await expect(page.getByLabel('new')).toBeFocused()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  await expect(page.getByLabel('new')).toBeInViewport({ ratio: 0.9 })
+})

@@ -370,12 +370,12 @@ test('a shake while motion is reduced is none, also once it is not', async ({ st
 
 for (const mocked of [false, true]) {
   const has = mocked ? 'mocks that call back at once' : 'nothing that watches'
-  test(`in a test’s document, which has no animations and ${has}, the children are there and nothing is thrown`, async ({
+  test(`in a test’s document, which has no transitions and ${has}, the children are there and nothing is thrown`, async ({
     stage,
     page,
   }) => {
     await page.addInitScript((mocks) => {
-      Object.assign(Document.prototype, { getAnimations: undefined })
+      Object.assign(window, { CSSTransition: undefined })
       if (!mocks) {
         Object.assign(window, {
           matchMedia: undefined,

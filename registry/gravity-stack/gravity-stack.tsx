@@ -6,7 +6,7 @@ import { createStage, type Stage } from './stage'
 export interface GravityStackActions {
   /** Drops all chips again and ends a pause; does nothing before the stage has first come into view. */
   drop: () => void
-  /** Throws the chips up to 230 px into the air; while paused, on `resume`. */
+  /** Throws the chips about 230 px into the air at most; while paused, on `resume`. */
   shake: () => void
   /** Freezes the chips where they are. */
   pause: () => void
@@ -102,8 +102,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch. What else it lacks tests often give it; this hardly ever.
-    if (!document.getAnimations) return
+    // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
+    if (!window.CSSTransition) return
     // What React hides and shows again keeps its pile.
     if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()

@@ -38,7 +38,7 @@ const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
-  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
+  'input, textarea, select, audio, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
@@ -172,6 +172,12 @@ function above(node: Element): Element | null | undefined {
 /** Before any handler on the way that keeps events to itself. */
 const FIRST = { capture: true }
 
+/** Nothing comes of it, and nobody on the way hears of it. */
+function stop(event: Event) {
+  event.preventDefault()
+  event.stopPropagation()
+}
+
 /** Adds listeners that end with `controller`. */
 function hearing({ signal }: AbortController) {
   return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
@@ -298,6 +304,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
       if (moving) sizes.observe(element)
+      // It has come with the focus.
+      if (element.matches(':focus-within')) focus({ target: element })
     }
     let waited = false
     chips.forEach((chip, element) => {
@@ -612,8 +620,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    collect()
     listen()
+    collect()
   }
 
   function listen() {
@@ -643,8 +651,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function listenToPointers() {
     pressing = new AbortController()
     const on = hearing(pressing)
-    // No link, and no draggable thing around the stage, drags along with a chip.
-    on(view, 'dragstart', (event: Event) => event.preventDefault(), FIRST)
+    // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
+    on(view, 'dragstart', stop, FIRST)
     on(view, 'pointermove', move, FIRST)
     on(view, 'scroll', follow, FIRST)
     on(view, 'pointerup', up, FIRST)
@@ -667,11 +675,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (!chip) return
     toFront(chip)
     if (still.matches) return
-    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a
-    // press, though a field shows its focus then as well.
+    // It goes on falling. Where it can't be seen yet the stage comes into view, and when it lies, if that was not enough, the chip
+    // itself. Not for a press, though a field shows its focus then as well. The focus that a dialog gives back scrolls nothing.
     const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
     if (unseen && chip.state !== 'resting') {
-      root.scrollIntoView({ block: 'nearest' })
+      if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
       followed = chip
       // Whoever scrolls on meanwhile is not brought back.
       for (const type of ['wheel', 'touchmove', 'keydown'])
@@ -841,8 +849,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
     if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
     swallowClick = false
-    event.preventDefault()
-    event.stopPropagation()
+    stop(event)
   }
 
   /** A way to move a chip without dragging. */
