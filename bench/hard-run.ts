@@ -12,15 +12,12 @@ import type { Actor, HardFigures, HardScene } from '../scenes/hard'
 import { massOf } from '../scenes/references'
 import { type Chip, driftOf, frame } from '../scenes/scene'
 
-/** Sub-steps of the run that others are held against. */
-const converged = 64
-
 type State = Pose & { vx: number; vy: number; spin: number }
 export type Watch = (frame: number, states: State[], alive: boolean[], stage: Stage) => void
 
 /** Plays a hard scene with our solver, asleep when it may be, and reads off its figures. */
-export function playHardScene(scene: HardScene, seed: number, watch?: Watch, substeps?: number): HardFigures {
-  return playHard(scene, seed, watch, substeps).figures
+export function playHardScene(scene: HardScene, seed: number, watch?: Watch): HardFigures {
+  return playHard(scene, seed, watch).figures
 }
 
 /** The same, with the digest of the last frame: two engines that agree on it agree on every bit. */
@@ -28,14 +25,12 @@ export function playHard(
   scene: HardScene,
   seed: number,
   watch?: Watch,
-  substeps?: number,
 ): { figures: HardFigures; hash: string } {
   const chips = scene.build(seed)
   const world = createWorld({
     width: scene.width,
     height: scene.height,
     ...scene.conditions,
-    ...(substeps ? { substeps } : {}),
   })
   const ids = chips.map((chip) => world.add(chip))
   const alive = chips.map(() => true)
@@ -138,11 +133,6 @@ export function playHard(
   }
   figures.overlap = worstOverlap(living(), posesOf(before), stage)
   figures.loss = Math.max(0, (put - energy(before)) / put)
-  if (watched.has('loss') && !substeps) {
-    // Even a converged run loses some where chips meet all at once: what counts is what it would have kept.
-    const kept = 1 - playHardScene(scene, seed, undefined, converged).loss
-    figures.loss = Math.max(0, 1 - (1 - figures.loss) / kept)
-  }
   figures.hanging = hanging(living(), posesOf(before), stage, false)
   figures.drift = driftOf(chips, before)
   return { figures, hash: world.hash() }
