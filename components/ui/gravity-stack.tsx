@@ -45,6 +45,8 @@ const SWEEPS = 12
 const SWEEPS_LEAST = 2
 const SWEEPS_LIVELY = 8
 const LIVELY = 100
+/** The same where something is crushed at that speed: eight don't tell of it soon enough at the foot of a large pile. */
+const SWEEPS_CRUSHED = 16
 /** The same where an island has masses of a larger ratio than this. */
 const SWEEPS_UNEVEN = 300
 const UNEVEN = 20
@@ -143,8 +145,8 @@ const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 const IMPACT_SPREAD = 5
 const IMPACT_SPREAD_SHARE = 0.1
-/** px, gap up to which a neighbour counts as touching when an impact is passed on. */
-const IMPACT_NEAR = 0.2
+/** px/s: what it comes to in a sub-step, 0.2 px with six, is the gap up to which a neighbour counts as touching when an impact is passed on. */
+const IMPACT_NEAR = 72
 /** px that are left when the first of two hits comes, up to which they count as one. */
 const IMPACT_TOUCH = 0.05
 
@@ -1150,6 +1152,8 @@ class Scene {
   loose = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  /** Most sweeps of the present sub-step. */
+  sweeps = 0
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
   uneven = 0
   holds: Hold[] = []
@@ -1467,7 +1471,8 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
     d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
     probe(scene, c, p)
     const start = touch[RATE_NOW]
-    const rate = gainOf(scene, c, p) / h
+    // A push of more is what a blow has left: the contact on its other side is gone, and the sweeps will take it back.
+    const rate = Math.max(gainOf(scene, c, p), -LIVELY - Math.abs(scene.gravity) * h) / h
     const v = start + rate * from
     const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -1528,15 +1533,18 @@ const kept: Float64Array = new Float64Array(6)
 /** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
 function measureAt(scene: Scene, c: number, time: number, widest: number): void {
   const { bodies, contacts, gravity, h } = scene
-  const { state, motion } = bodies
+  const { state, motion, shape } = bodies
   const half = (0.5 * time * time) / h
   for (let n = 0; n < 6; n++) {
     const axis = n % 3
     const i = contacts.pair[2 * c + (n > 2 ? 1 : 0)]
     const s = i * STATE + axis
     kept[n] = state[s]
-    if (i > 0)
-      state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
+    if (i > 0) {
+      const gain = motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)
+      const most = (LIVELY + Math.abs(gravity) * h) / (axis === ANGLE ? shape[i * SHAPE + EXTENT] : 1)
+      state[s] += state[s + VX] * time + Math.max(-most, Math.min(most, gain)) * half
+    }
   }
   touch[WIDEST] = widest
   measure(scene, c)
@@ -1744,7 +1752,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
 
 /** Whether the point that `probe` looked at touches where it will be when body `i` is hit: what has parted again since it was hit in this sub-step is no neighbour any more. */
 function isNear(impacts: Impacts, scene: Scene, i: number, c: number, p: number): boolean {
-  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
+  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR * scene.h
 }
 
 /** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */
@@ -1967,6 +1975,10 @@ function bounce(
         if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
           if (d[k + POINTS] > 0 || gapBound(scene, c) < near) enterAgain(impacts, scene, c, near)
+        } else if (d[k + POINTS] === 1) {
+          // Struck into a spin, the other end may come down.
+          touch[WIDEST] = nearing(scene, c)
+          measure(scene, c)
         }
         if (d[k + POINTS] > 0) close(scene, c)
       }
@@ -2022,6 +2034,7 @@ function close(scene: Scene, c: number): void {
     if (gap < -CRUSHED) {
       d[k + FURTHEST] = 1
       scene.relaxation = scene.lively ? Math.min(scene.relaxation, RELAXATION) : 1
+      if (scene.lively) scene.sweeps = Math.max(scene.sweeps, SWEEPS_CRUSHED)
     }
   }
 }
@@ -2527,7 +2540,7 @@ function between(at: number, low: number, high: number): number {
 /** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two came nearer. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, shape, state } = bodies
+  const { asleep, before, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -2543,11 +2556,13 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     state[s + Y] += dy
     const nx = touch[NORMAL_X]
     const ny = touch[NORMAL_Y]
-    const came = (k: number, along: number) =>
-      along * nx * (state[k * STATE + X] - before[k * 3]) +
-      along * ny * (state[k * STATE + Y] - before[k * 3 + 1]) +
-      shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
-    const back = Math.min(came(i, 1) + came(j, -1), nx * dx + ny * dy - touch[DISTANCE])
+    let back = nx * dx + ny * dy - touch[DISTANCE]
+    // What they overlapped by when the step began stays.
+    const now = state.slice()
+    for (const k of [i, j]) state.set(before.subarray(k * 3, k * 3 + 3), k * STATE)
+    collide(bodies, i, j)
+    state.set(now)
+    back += Math.min(0, touch[DISTANCE])
     if (!(back > 0)) continue
     state[t + X] += back * nx
     state[t + Y] += back * ny
@@ -2942,12 +2957,13 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   let end = c0
   for (let n = 0; n < substeps; n++) {
     simulation.relaxation = relaxation
+    simulation.sweeps = sweeps
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, sorted, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
-    const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
+    const solved = converge(simulation, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
     work[SUBSTEPS_TAKEN]++
     // In balance the other sub-steps would repeat this one.
@@ -2991,17 +3007,16 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   return unequal ? Math.max(usual, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / contactCount))) : usual
 }
 
-/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns whether it came to that. */
+/** Sweeps an island until none of its contacts changes, or as often as a sub-step may; returns whether it came to that. */
 function converge(
   simulation: Simulation,
-  sweeps: number,
   grabbed: Hold[],
   b0: number,
   b1: number,
   c0: number,
   end: number,
 ): boolean {
-  const { bodies, contacts, h, crushing, speed, work } = simulation
+  const { bodies, contacts, h, crushing, speed, sweeps, work } = simulation
   const unequal = simulation.uneven > UNEVEN
   const lap = end - c0 + 1
   let further = simulation.relaxation
@@ -3613,7 +3628,7 @@ const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
-  'input, textarea, select, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
+  'input, textarea, select, audio, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
@@ -3747,6 +3762,12 @@ function above(node: Element): Element | null | undefined {
 /** Before any handler on the way that keeps events to itself. */
 const FIRST = { capture: true }
 
+/** Nothing comes of it, and nobody on the way hears of it. */
+function stop(event: Event) {
+  event.preventDefault()
+  event.stopPropagation()
+}
+
 /** Adds listeners that end with `controller`. */
 function hearing({ signal }: AbortController) {
   return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
@@ -3873,6 +3894,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
       chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
       if (moving) sizes.observe(element)
+      // It has come with the focus.
+      if (element.matches(':focus-within')) focus({ target: element })
     }
     let waited = false
     chips.forEach((chip, element) => {
@@ -4187,8 +4210,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
       )
     changes.observe(root, { childList: true, subtree: true })
-    collect()
     listen()
+    collect()
   }
 
   function listen() {
@@ -4218,8 +4241,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function listenToPointers() {
     pressing = new AbortController()
     const on = hearing(pressing)
-    // No link, and no draggable thing around the stage, drags along with a chip.
-    on(view, 'dragstart', (event: Event) => event.preventDefault(), FIRST)
+    // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
+    on(view, 'dragstart', stop, FIRST)
     on(view, 'pointermove', move, FIRST)
     on(view, 'scroll', follow, FIRST)
     on(view, 'pointerup', up, FIRST)
@@ -4242,11 +4265,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (!chip) return
     toFront(chip)
     if (still.matches) return
-    // It goes on falling: the stage comes into view, and when it lies, if that was not enough, the chip itself. Not for a
-    // press, though a field shows its focus then as well.
+    // It goes on falling. Where it can't be seen yet the stage comes into view, and when it lies, if that was not enough, the chip
+    // itself. Not for a press, though a field shows its focus then as well. The focus that a dialog gives back scrolls nothing.
     const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
     if (unseen && chip.state !== 'resting') {
-      root.scrollIntoView({ block: 'nearest' })
+      if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
       followed = chip
       // Whoever scrolls on meanwhile is not brought back.
       for (const type of ['wheel', 'touchmove', 'keydown'])
@@ -4416,8 +4439,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
     if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
     swallowClick = false
-    event.preventDefault()
-    event.stopPropagation()
+    stop(event)
   }
 
   /** A way to move a chip without dragging. */
@@ -4545,7 +4567,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 export interface GravityStackActions {
   /** Drops all chips again and ends a pause; does nothing before the stage has first come into view. */
   drop: () => void
-  /** Throws the chips up to 230 px into the air; while paused, on `resume`. */
+  /** Throws the chips about 230 px into the air at most; while paused, on `resume`. */
   shake: () => void
   /** Freezes the chips where they are. */
   pause: () => void
@@ -4641,8 +4663,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const pausing = React.useRef(false)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch. What else it lacks tests often give it; this hardly ever.
-    if (!document.getAnimations) return
+    // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
+    if (!window.CSSTransition) return
     // What React hides and shows again keeps its pile.
     if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()

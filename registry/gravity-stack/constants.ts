@@ -33,6 +33,8 @@ export const SWEEPS = 12
 export const SWEEPS_LEAST = 2
 export const SWEEPS_LIVELY = 8
 export const LIVELY = 100
+/** The same where something is crushed at that speed: eight don't tell of it soon enough at the foot of a large pile. */
+export const SWEEPS_CRUSHED = 16
 /** The same where an island has masses of a larger ratio than this. */
 export const SWEEPS_UNEVEN = 300
 export const UNEVEN = 20
@@ -131,8 +133,8 @@ export const IMPACT_SWEEPS = 24
 /** px/s, and share of the hardest hit: approach from which an impact is passed on to a touching neighbour. */
 export const IMPACT_SPREAD = 5
 export const IMPACT_SPREAD_SHARE = 0.1
-/** px, gap up to which a neighbour counts as touching when an impact is passed on. */
-export const IMPACT_NEAR = 0.2
+/** px/s: what it comes to in a sub-step, 0.2 px with six, is the gap up to which a neighbour counts as touching when an impact is passed on. */
+export const IMPACT_NEAR = 72
 /** px that are left when the first of two hits comes, up to which they count as one. */
 export const IMPACT_TOUCH = 0.05
 

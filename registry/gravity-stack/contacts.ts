@@ -143,6 +143,8 @@ export class Scene {
   loose = 0.5
   /** How far the sweeps of the present island take each impulse: 1 is where its contact is solved, more is beyond. */
   relaxation = 0.5
+  /** Most sweeps of the present sub-step. */
+  sweeps = 0
   /** Ratio of the heaviest to the lightest mass in the present island, whole so that it is never boxed. */
   uneven = 0
   holds: Hold[] = []

@@ -1,4 +1,6 @@
 import {
+  ANGLE,
+  EXTENT,
   INDEX,
   INV_INERTIA,
   INV_MASS,
@@ -6,6 +8,7 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  SHAPE,
   SPIN,
   STATE,
   VX,
@@ -21,6 +24,7 @@ import {
   IMPACT_SWEEPS,
   IMPACT_TOLERANCE,
   IMPACT_TOUCH,
+  LIVELY,
   RUNAWAY,
   SWEEPS_PLAIN,
   SWEEPS_UNEVEN,
@@ -95,7 +99,8 @@ function foresee(impacts: Impacts, scene: Scene, c: number): boolean {
     d[p + GOAL] = d[p + LOAD] > 0 ? 0 : -Infinity
     probe(scene, c, p)
     const start = touch[RATE_NOW]
-    const rate = gainOf(scene, c, p) / h
+    // A push of more is what a blow has left: the contact on its other side is gone, and the sweeps will take it back.
+    const rate = Math.max(gainOf(scene, c, p), -LIVELY - Math.abs(scene.gravity) * h) / h
     const v = start + rate * from
     const gap = Math.max(0, touch[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -156,15 +161,18 @@ const kept: Float64Array = new Float64Array(6)
 /** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
 function measureAt(scene: Scene, c: number, time: number, widest: number): void {
   const { bodies, contacts, gravity, h } = scene
-  const { state, motion } = bodies
+  const { state, motion, shape } = bodies
   const half = (0.5 * time * time) / h
   for (let n = 0; n < 6; n++) {
     const axis = n % 3
     const i = contacts.pair[2 * c + (n > 2 ? 1 : 0)]
     const s = i * STATE + axis
     kept[n] = state[s]
-    if (i > 0)
-      state[s] += state[s + VX] * time + (motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)) * half
+    if (i > 0) {
+      const gain = motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)
+      const most = (LIVELY + Math.abs(gravity) * h) / (axis === ANGLE ? shape[i * SHAPE + EXTENT] : 1)
+      state[s] += state[s + VX] * time + Math.max(-most, Math.min(most, gain)) * half
+    }
   }
   touch[WIDEST] = widest
   measure(scene, c)
@@ -372,7 +380,7 @@ function spread(impacts: Impacts, scene: Scene, i: number): void {
 
 /** Whether the point that `probe` looked at touches where it will be when body `i` is hit: what has parted again since it was hit in this sub-step is no neighbour any more. */
 function isNear(impacts: Impacts, scene: Scene, i: number, c: number, p: number): boolean {
-  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR
+  return touch[GAP_NOW] + impacts.when[i] * rateBefore(impacts, scene, c, p) < IMPACT_NEAR * scene.h
 }
 
 /** px/s, rate at which the gap of the point of contact `c` with its record at `p` opened before the impact. */

@@ -1,4 +1,4 @@
-import { ANGLE, type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
+import { type Bodies, CORE, extents, halfExtents, SHAPE, SPIN, STATE, VX, VY, X, Y } from './body'
 import { collide, DISTANCE, NORMAL_X, NORMAL_Y, touch, WIDEST } from './collide'
 import { MARGIN, SKIN, SKIN_SHARE, STEP, WALL_SKIN } from './constants'
 import { addContact, type Contacts, removeContact, type Scene } from './contacts'
@@ -202,7 +202,7 @@ function between(at: number, low: number, high: number): number {
 /** Body `i` was put back by `dx` and `dy`: what is in it now goes back as well, each body once a step, and no further than the two came nearer. */
 function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: number): void {
   const { bodies, contacts } = scene
-  const { asleep, before, shape, state } = bodies
+  const { asleep, before, state } = bodies
   const s = i * STATE
   pairs.moved[i] = 1
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) {
@@ -218,11 +218,13 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     state[s + Y] += dy
     const nx = touch[NORMAL_X]
     const ny = touch[NORMAL_Y]
-    const came = (k: number, along: number) =>
-      along * nx * (state[k * STATE + X] - before[k * 3]) +
-      along * ny * (state[k * STATE + Y] - before[k * 3 + 1]) +
-      shape[k * SHAPE + CORE] * Math.abs(state[k * STATE + ANGLE] - before[k * 3 + 2])
-    const back = Math.min(came(i, 1) + came(j, -1), nx * dx + ny * dy - touch[DISTANCE])
+    let back = nx * dx + ny * dy - touch[DISTANCE]
+    // What they overlapped by when the step began stays.
+    const now = state.slice()
+    for (const k of [i, j]) state.set(before.subarray(k * 3, k * 3 + 3), k * STATE)
+    collide(bodies, i, j)
+    state.set(now)
+    back += Math.min(0, touch[DISTANCE])
     if (!(back > 0)) continue
     state[t + X] += back * nx
     state[t + Y] += back * ny

@@ -60,6 +60,7 @@ import {
   ROLLING_SHARE,
   SLOP,
   STRAIGHTENING,
+  SWEEPS_CRUSHED,
   WALL_GIVE,
   WALL_REFRESH,
   WEDGED,
@@ -261,6 +262,10 @@ function bounce(
         if (!last && (contacts.mark[c] === phase - 1 || d[k + LOAD] + d[k + SECOND + LOAD] === 0)) {
           const near = nearing(scene, c)
           if (d[k + POINTS] > 0 || gapBound(scene, c) < near) enterAgain(impacts, scene, c, near)
+        } else if (d[k + POINTS] === 1) {
+          // Struck into a spin, the other end may come down.
+          touch[WIDEST] = nearing(scene, c)
+          measure(scene, c)
         }
         if (d[k + POINTS] > 0) close(scene, c)
       }
@@ -316,6 +321,7 @@ function close(scene: Scene, c: number): void {
     if (gap < -CRUSHED) {
       d[k + FURTHEST] = 1
       scene.relaxation = scene.lively ? Math.min(scene.relaxation, RELAXATION) : 1
+      if (scene.lively) scene.sweeps = Math.max(scene.sweeps, SWEEPS_CRUSHED)
     }
   }
 }

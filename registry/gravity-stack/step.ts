@@ -175,12 +175,13 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
   let end = c0
   for (let n = 0; n < substeps; n++) {
     simulation.relaxation = relaxation
+    simulation.sweeps = sweeps
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, sorted, live, c0, c1)
     for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
-    const solved = converge(simulation, sweeps, grabbed, b0, b1, c0, end)
+    const solved = converge(simulation, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
     work[SUBSTEPS_TAKEN]++
     // In balance the other sub-steps would repeat this one.
@@ -224,17 +225,16 @@ function tune(simulation: Simulation, contactCount: number, held: boolean): numb
   return unequal ? Math.max(usual, Math.min(most, Math.floor(SWEEP_BUDGET / 3 / contactCount))) : usual
 }
 
-/** Sweeps an island until none of its contacts changes, `sweeps` times at most; returns whether it came to that. */
+/** Sweeps an island until none of its contacts changes, or as often as a sub-step may; returns whether it came to that. */
 function converge(
   simulation: Simulation,
-  sweeps: number,
   grabbed: Hold[],
   b0: number,
   b1: number,
   c0: number,
   end: number,
 ): boolean {
-  const { bodies, contacts, h, crushing, speed, work } = simulation
+  const { bodies, contacts, h, crushing, speed, sweeps, work } = simulation
   const unequal = simulation.uneven > UNEVEN
   const lap = end - c0 + 1
   let further = simulation.relaxation

@@ -5,8 +5,8 @@ import { beforeAll, describe, expect, it } from 'vitest'
 import { ours } from '../../bench/engines/ours'
 import { filmScene, median } from '../../bench/film'
 import { exactScenes } from '../../scenes/exact'
-import { type Kind, pourChips } from '../../scenes/piles'
-import { type Chip, frame } from '../../scenes/scene'
+import { type Kind, pourChips, pourStage } from '../../scenes/piles'
+import { type Chip, conditions, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { fingerprint, pinned } from './pins'
 import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
@@ -61,6 +61,22 @@ describe('what falls for long', () => {
     run(world, 1)
     expect(world.read(ids[0]).vy).toBeCloseTo(3600, 6)
   })
+})
+
+describe('a thousand pills poured at once', () => {
+  // Of 88 such pours the worst goes 3.8 px deep; these went 14 and 7 deep when hits that never came put chips back.
+  for (const seed of [13, 105])
+    it(`go less than 5 px into each other as they land: seed ${seed}`, () => {
+      const bounds = pourStage(1000)
+      const chips = pourChips('pills', 1000, seed)
+      const { world, ids } = worldOf(chips, { ...bounds, ...conditions })
+      let worst = 0
+      for (let n = 0; n < 80; n++) {
+        world.step(frame)
+        if (n > 60) worst = Math.max(worst, overlap(world, ids, chips, bounds))
+      }
+      expect(worst).toBeLessThan(5)
+    })
 })
 
 describe('a pile that is poured', () => {
@@ -390,9 +406,12 @@ describe('what was compiled for one world', () => {
   })
 
   it('serves the next when both have gone', () => {
+    // All but `run`, which is the test's own.
     const compiled = (part: string) =>
       new Set(
-        [...part.matchAll(/completed (?:compiling|optimizing) .*<JSFunction (\w+)/g)].map(([, name]) => name),
+        [...part.matchAll(/completed (?:compiling|optimizing) .*<JSFunction (?!run )(\w+)/g)].map(
+          ([, name]) => name,
+        ),
       )
     const known = compiled(before)
     expect(known.size).toBeGreaterThan(30)
