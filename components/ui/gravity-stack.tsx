@@ -2558,10 +2558,12 @@ function keepBehind(scene: Scene, pairs: Pairs, i: number, dx: number, dy: numbe
     const ny = touch[NORMAL_Y]
     let back = nx * dx + ny * dy - touch[DISTANCE]
     // What they overlapped by when the step began stays.
-    const now = state.slice()
+    const mine = state.slice(s, s + 3)
+    const its = state.slice(t, t + 3)
     for (const k of [i, j]) state.set(before.subarray(k * 3, k * 3 + 3), k * STATE)
     collide(bodies, i, j)
-    state.set(now)
+    state.set(mine, s)
+    state.set(its, t)
     back += Math.min(0, touch[DISTANCE])
     if (!(back > 0)) continue
     state[t + X] += back * nx
