@@ -143,7 +143,8 @@ test('a slider of the playground acts on the chips in the air', async ({ page })
 })
 
 test('at 1/20 of the speed a second is three frames', async ({ page }) => {
-  await page.clock.install()
+  await page.clock.install({ time: 0 })
+  await page.clock.pauseAt(1000)
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/playground?count=1&stagger=0')
   await page.getByRole('button', { name: 'Speed 1/20×' }).click()

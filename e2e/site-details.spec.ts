@@ -47,7 +47,8 @@ test('the home page has the figures of the committed benchmark', async ({ page }
 })
 
 test('what could not be copied is not said to be, and the button comes back', async ({ page }) => {
-  await page.clock.install()
+  await page.clock.install({ time: 0 })
+  await page.clock.pauseAt(1000)
   await page.goto('/')
   await page.evaluate(() => {
     navigator.clipboard.writeText = () => Promise.reject(new Error())

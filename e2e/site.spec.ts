@@ -874,7 +874,8 @@ test.describe('playground', () => {
   test('a browser that refuses a new address does no harm', async ({ page }) => {
     const errors: string[] = []
     page.on('pageerror', (error) => errors.push(error.message))
-    await page.clock.install()
+    await page.clock.install({ time: 0 })
+    await page.clock.pauseAt(1000)
     await page.goto('/playground')
     await page.evaluate(() => {
       Object.assign(window, { refused: 0 })
