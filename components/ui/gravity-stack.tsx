@@ -28,6 +28,8 @@ const ANGULAR_DAMPING = 1.4
  */
 const ROLLING = 0.1
 const ROLLING_SHARE = 0.2
+/** px/s of an end about the middle, below which resistance grows, by as much again at rest for a disc. */
+const ROLLING_SLOW = 20
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */
@@ -1842,13 +1844,14 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     const toY = air.fade * vy + gravity * air.reach + pushY
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
-    let grip = push / shape[i * SHAPE + EXTENT]
-    // On one point of a wall alone it has the lever of the disc that its corner is: else it would stand on that, leaning on nothing.
-    if (props[i] < 2)
-      grip = Math.min(
-        grip,
-        (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS],
-      )
+    const extent = shape[i * SHAPE + EXTENT]
+    // The lever of the disc that its corner is: on one point of a wall alone it has no longer one, else it would stand on that, leaning on nothing.
+    const corner = (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS]
+    // What is slow is held better: else a slope as steep as the resistance is strong lets it roll as slowly as drag likes.
+    const grip =
+      props[i] < 2
+        ? Math.min(push / extent, corner)
+        : push / extent + corner * Math.max(0, 1 - (Math.abs(spin) * extent) / ROLLING_SLOW)
     let toSpin = spinAir.fade * spin + pushSpin
     let brake = motion[m + BRAKE]
     brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
@@ -1858,7 +1861,7 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     state[s + VX] = motion[m + KICK_X] = toX
     state[s + VY] = motion[m + KICK_Y] = toY
     state[s + SPIN] = motion[m + KICK_SPIN] = toSpin
-    const speed = Math.abs(toX) + Math.abs(toY) + shape[i * SHAPE + EXTENT] * Math.abs(toSpin)
+    const speed = Math.abs(toX) + Math.abs(toY) + extent * Math.abs(toSpin)
     stirred[i] = speed > tolerance || moved[i] > 0 ? 0 : NEVER
   }
 }

@@ -16,6 +16,8 @@ export const ANGULAR_DAMPING = 1.4
  */
 export const ROLLING = 0.1
 export const ROLLING_SHARE = 0.2
+/** px/s of an end about the middle, below which resistance grows, by as much again at rest for a disc. */
+export const ROLLING_SLOW = 20
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */

@@ -61,6 +61,33 @@ describe('a pile falls asleep', () => {
     }
   })
 
+  it('but what rolls down a slope, which stops or rolls away at any slope: one as steep as rolling resistance is strong let it creep for ever', () => {
+    for (let rise = 16; rise <= 40; rise++) {
+      const angle = Math.atan(rise / 400)
+      const [c, s] = [Math.cos(angle), Math.sin(angle)]
+      // From the middle of the card's top side: `along` it and `up` from it.
+      const at = (along: number, up: number) => ({
+        x: 340 + 20 * s + along * c + up * s,
+        y: floor - 60 - rise / 2 - 20 * c + along * s - up * c,
+        angle,
+      })
+      const { world, ids } = worldOf([
+        { width: 40, height: 60 + rise, x: 120, y: floor - (60 + rise) / 2, angle: 0, density: 100 },
+        { width: 40, height: 60, x: 520, y: floor - 30, angle: 0, density: 100 },
+        { width: 460, height: 20, ...at(0, -10), density: 20 },
+        { width: 36, height: 36, radius: 18, ...at(-100, 18), vx: 5 * c, vy: 5 * s, spin: 5 / 18 },
+      ])
+      let slow = 0
+      for (let k = 0; k < 300; k++) {
+        world.step(frame)
+        const { vx, vy } = world.read(ids[3])
+        const speed = Math.hypot(vx, vy)
+        if (speed > 0.5 && speed < 20) slow++
+      }
+      expect(slow, `a slope of ${rise} in 400`).toBeLessThan(150)
+    }
+  })
+
   it('with all its speed gone', () => {
     const { world, ids } = asleep(tower(3))
     for (const { vx, vy, spin } of readAll(world, ids)) expect([vx, vy, spin]).toEqual([0, 0, 0])
