@@ -131,7 +131,7 @@ export function kick(scene: Scene, list: Int32Array, from: number, to: number, a
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
     const extent = shape[i * SHAPE + EXTENT]
-    // The lever of the disc that its corner is: on one point of a wall alone it has no longer one, else it would stand on that, leaning on nothing.
+    // The lever of the disc that its corner is: what touches but one point of a wall has no longer one, else it would stand on that, leaning on nothing.
     const corner = (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS]
     // What is slow is held better: else a slope as steep as the resistance is strong lets it roll as slowly as drag likes.
     const grip =
