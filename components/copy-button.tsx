@@ -1,7 +1,6 @@
 'use client'
 
 import { useEffect, useState } from 'react'
-import { classes } from '@/lib/classes'
 import { CheckIcon, CopyIcon } from './icons'
 
 /**
@@ -12,7 +11,7 @@ export function CopyButton({
   from,
   children,
   label = children ?? 'Copy code',
-  className,
+  className = '',
 }: {
   from?: string
   children?: string
@@ -37,10 +36,9 @@ export function CopyButton({
         })
         await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
       } else {
-        const shown = Array.from(button.closest('.code')?.querySelectorAll('pre') ?? []).find(
-          (pre) => pre.getClientRects().length > 0 && getComputedStyle(pre).visibility === 'visible',
-        )
-        await navigator.clipboard.writeText(shown?.textContent ?? '')
+        const code = Array.from(button.closest('.code')!.querySelectorAll('pre'))
+        const shown = code.find((pre) => pre.checkVisibility({ visibilityProperty: true }))
+        await navigator.clipboard.writeText(shown!.textContent)
       }
       setState('copied')
     } catch {
@@ -58,11 +56,7 @@ export function CopyButton({
         aria-label={said}
         title={said}
         onClick={(event) => copy(event.currentTarget)}
-        className={classes(
-          'inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground',
-          state === 'failed' && 'text-red-700 dark:text-red-300',
-          className,
-        )}
+        className={`inline-flex h-8 min-w-8 shrink-0 items-center justify-center gap-2 rounded-md px-2 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground data-[state=failed]:text-red-700 dark:data-[state=failed]:text-red-300 ${className}`}
       >
         {state === 'copied' ? <CheckIcon /> : <CopyIcon />}
         {children && <span>{state === 'idle' ? children : said}</span>}

@@ -10,10 +10,8 @@ export function MobileNavigation({ icon, children }: { icon: ReactNode; children
   const dialog = useRef<HTMLDialogElement>(null)
   const close = () => dialog.current?.close()
   const open = () => {
-    for (const link of dialog.current!.querySelectorAll('a')) {
-      if (link.pathname === location.pathname) link.setAttribute('aria-current', 'page')
-      else link.removeAttribute('aria-current')
-    }
+    for (const link of dialog.current!.querySelectorAll('a'))
+      link.ariaCurrent = link.pathname === location.pathname ? 'page' : null
     dialog.current!.showModal()
   }
   return (

@@ -1,7 +1,6 @@
 'use client'
 
 import { type ReactNode, useId, useState } from 'react'
-import { classes } from '@/lib/classes'
 import { CopyButton } from './copy-button'
 import { Demo } from './demo'
 import { TabList } from './tab-list'
@@ -43,17 +42,11 @@ export function PreviewTabs({ name, code, again }: { name: string; code: ReactNo
         <div
           {...panel('preview')}
           // What a footer stands on is the end of the page.
-          className={classes(
-            'not-has-[footer]:mb-3 not-has-[footer]:border-b bg-stage',
-            tab !== 'preview' && 'invisible',
-          )}
+          className="not-has-[footer]:mb-3 not-has-[footer]:border-b bg-stage inert:invisible"
         >
           <Demo name={name} drop={drop} />
         </div>
-        <div
-          {...panel('code')}
-          className={classes('relative', tab !== 'code' && 'invisible [content-visibility:hidden]')}
-        >
+        <div {...panel('code')} className="inert:invisible relative inert:[content-visibility:hidden]">
           {code}
         </div>
       </div>

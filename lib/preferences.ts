@@ -22,7 +22,7 @@ export const preferencesScript = `(() => {
   const apply = () => {
     const theme = saved('theme')
     if (theme) root.classList.toggle('dark', theme === 'dark')
-    for (const [key, options] of Object.entries(${JSON.stringify(choices)})) {
+    for (const [key, options] of Object.entries(${/* @__PURE__ */ JSON.stringify(choices)})) {
       const choice = saved(key)
       if (options.includes(choice)) root.setAttribute('data-' + key, choice)
     }
