@@ -28,8 +28,12 @@ const ANGULAR_DAMPING = 1.4
  */
 const ROLLING = 0.1
 const ROLLING_SHARE = 0.2
-/** px/s of an end about the middle, below which resistance grows, by as much again at rest for a disc. */
-const ROLLING_SLOW = 20
+/** Share by which friction is more at rest. */
+const STICTION = 0.2
+/** px/s of slip, or of an end about the middle, below which friction and rolling resistance grow; that by as much again at rest for a disc. */
+const SLOW = 20
+/** What stands up on one point is not held by it, or it would lean, on nothing: it is only braked, by so much of that share, as the solver feeds what rocks. */
+const ROCKING_SHARE = 0.1
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */
@@ -283,8 +287,8 @@ class Bodies {
   /** Who is awake. */
   awake: Int32Array = new Int32Array(1)
   awakeCount = 0
-  /** Points that bear the body, or that it bears, as its step begins; another chip counts as two. */
-  props: Int32Array = new Int32Array(1)
+  /** 1 if the body has a better footing, as its step begins, than one point that it stands up on. */
+  footing: Uint8Array = new Uint8Array(1)
   /** Hands that hold the body. */
   held: Uint8Array = new Uint8Array(1)
   /** 1 if the body has moved since it was last drawn. */
@@ -1142,6 +1146,8 @@ class Scene {
   gravity = 0.5
   bounce = 0.5
   friction = 0.5
+  /** Share by which it is more at rest. */
+  stiction = 0.5
   /** px/s of approach below which nothing bounces. */
   threshold = 0.5
   /** s, length of a sub-step. */
@@ -1821,7 +1827,7 @@ function keepEnergy(impacts: Impacts, scene: Scene): void {
  * Those that move, or were moved, are marked as stirred for the first sweep.
  */
 function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
-  const { state, motion, shape, stirred, moved, props } = scene.bodies
+  const { state, motion, shape, stirred, moved, footing } = scene.bodies
   const { gravity, tolerance } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -1845,16 +1851,17 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
     const extent = shape[i * SHAPE + EXTENT]
-    // The lever of the disc that its corner is: what touches but one point of a wall has no longer one, else it would stand on that, leaning on nothing.
+    // With the lever of the disc that its corner is what is slow is held better: else a slope as steep as the resistance is strong
+    // lets it roll as slowly as drag likes.
     const corner = (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS]
-    // What is slow is held better: else a slope as steep as the resistance is strong lets it roll as slowly as drag likes.
-    const grip =
-      props[i] < 2
-        ? Math.min(push / extent, corner)
-        : push / extent + corner * Math.max(0, 1 - (Math.abs(spin) * extent) / ROLLING_SLOW)
+    const slow = corner * Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW)
+    const grip = push / extent + slow
     let toSpin = spinAir.fade * spin + pushSpin
-    let brake = motion[m + BRAKE]
-    brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
+    let brake = motion[m + BRAKE] * footing[i]
+    brake = Math.max(
+      -grip,
+      Math.min(grip, brake - (footing[i] || ROCKING_SHARE) * ROLLING_SHARE * (toSpin + brake)),
+    )
     motion[m + BRAKE] = brake
     toSpin += brake
     motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * (pushSpin + brake)
@@ -2056,12 +2063,14 @@ function sweep(
   start: number,
   latest: number,
 ): number {
-  const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
+  const { bodies, contacts, friction, stiction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
   const stirred = bodies.stirred
   const lap = to - from + 1
+  const atRest = friction * (1 + stiction)
+  const loss = (friction * stiction) / SLOW
   let turn = start
   let rows = 0
   for (let i = from; i < to; i++) {
@@ -2169,9 +2178,10 @@ function sweep(
       const ta = d[k + TA]
       const tb = d[k + TB]
       const old = d[k + DRAG]
-      const limit = friction * load
-      t =
-        old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      const slip = nx * vy - ny * vx + tb * spinB - ta * spinA
+      // As with what rolls: on a slope as steep as friction is strong, drag alone would say how slowly it slides.
+      const limit = load * Math.max(friction, atRest - loss * Math.abs(slip))
+      t = old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * slip
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t
@@ -2894,6 +2904,8 @@ class Simulation extends Scene {
     const h = STEP / substeps
     this.substeps = substeps
     this.h = h
+    // What nothing brakes in the air slides as Coulomb says: so it is measured.
+    this.stiction = damping > 0 ? STICTION : 0
     this.air = air(damping, h)
     this.spinAir = air(spinDamping, h)
     this.flightAir = air(damping, STEP)
@@ -3108,7 +3120,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
   return most
 }
 
-/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and notes how well each is borne. */
 function warmStart(
   simulation: Simulation,
   b0: number,
@@ -3118,11 +3130,11 @@ function warmStart(
   grabbed: Hold[],
 ): void {
   const { bodies, contacts, islands } = simulation
-  const { motion, props } = bodies
+  const { motion, shape, footing } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
     const m = i * MOTION
-    props[i] = 0
+    footing[i] = 0
     motion[m + PUSH_X] = 0
     motion[m + PUSH_Y] = 0
     motion[m + PUSH_SPIN] = 0
@@ -3134,9 +3146,15 @@ function warmStart(
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
     carry(simulation, c, 1)
-    const a = contacts.pair[2 * c]
-    props[a] += 2
-    props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
+    const both = d[k + LOAD] * d[k + SECOND + LOAD] > 0
+    for (let side = 0; side < 2; side++) {
+      const i = contacts.pair[2 * c + side]
+      const other = contacts.pair[2 * c + 1 - side]
+      // Borne farther from its centre than one that lies. What is nearly round never is, and on what is rounder than that it would stay.
+      const low = 1.05 * shape[i * SHAPE + RADIUS] + 0.75 * shape[i * SHAPE + CORE]
+      const stands = Math.abs(d[k + TA + side]) > Math.max(low, shape[other * SHAPE + RADIUS])
+      if (both || !stands) footing[i] = 1
+    }
   }
   for (const hold of grabbed) carryHold(bodies, hold)
 }
@@ -4612,7 +4630,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
-   * Coulomb friction between chips, and of chips on floor and walls.
+   * Coulomb friction between chips, and of chips on floor and walls; at rest it is a fifth more.
    * @default 0.4
    */
   friction?: number | undefined

@@ -91,8 +91,8 @@ export class Bodies {
   /** Who is awake. */
   awake: Int32Array = new Int32Array(1)
   awakeCount = 0
-  /** Points that bear the body, or that it bears, as its step begins; another chip counts as two. */
-  props: Int32Array = new Int32Array(1)
+  /** 1 if the body has a better footing, as its step begins, than one point that it stands up on. */
+  footing: Uint8Array = new Uint8Array(1)
   /** Hands that hold the body. */
   held: Uint8Array = new Uint8Array(1)
   /** 1 if the body has moved since it was last drawn. */

@@ -16,8 +16,12 @@ export const ANGULAR_DAMPING = 1.4
  */
 export const ROLLING = 0.1
 export const ROLLING_SHARE = 0.2
-/** px/s of an end about the middle, below which resistance grows, by as much again at rest for a disc. */
-export const ROLLING_SLOW = 20
+/** Share by which friction is more at rest. */
+export const STICTION = 0.2
+/** px/s of slip, or of an end about the middle, below which friction and rolling resistance grow; that by as much again at rest for a disc. */
+export const SLOW = 20
+/** What stands up on one point is not held by it, or it would lean, on nothing: it is only braked, by so much of that share, as the solver feeds what rocks. */
+export const ROCKING_SHARE = 0.1
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */

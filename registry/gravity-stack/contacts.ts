@@ -131,6 +131,8 @@ export class Scene {
   gravity = 0.5
   bounce = 0.5
   friction = 0.5
+  /** Share by which it is more at rest. */
+  stiction = 0.5
   /** px/s of approach below which nothing bounces. */
   threshold = 0.5
   /** s, length of a sub-step. */

@@ -56,10 +56,11 @@ import {
   PUSH,
   PUSH_LAST,
   RELAXATION,
+  ROCKING_SHARE,
   ROLLING,
   ROLLING_SHARE,
-  ROLLING_SLOW,
   SLOP,
+  SLOW,
   STRAIGHTENING,
   SWEEPS_CRUSHED,
   WALL_GIVE,
@@ -107,7 +108,7 @@ import { clearImpacts, enterAgain, enterImpact, type Impacts, resolve } from './
  * Those that move, or were moved, are marked as stirred for the first sweep.
  */
 export function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air, spinAir: Air): void {
-  const { state, motion, shape, stirred, moved, props } = scene.bodies
+  const { state, motion, shape, stirred, moved, footing } = scene.bodies
   const { gravity, tolerance } = scene
   const half = 0.5 * scene.h
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -131,16 +132,17 @@ export function kick(scene: Scene, list: Int32Array, from: number, to: number, a
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
     const extent = shape[i * SHAPE + EXTENT]
-    // The lever of the disc that its corner is: what touches but one point of a wall has no longer one, else it would stand on that, leaning on nothing.
+    // With the lever of the disc that its corner is what is slow is held better: else a slope as steep as the resistance is strong
+    // lets it roll as slowly as drag likes.
     const corner = (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS]
-    // What is slow is held better: else a slope as steep as the resistance is strong lets it roll as slowly as drag likes.
-    const grip =
-      props[i] < 2
-        ? Math.min(push / extent, corner)
-        : push / extent + corner * Math.max(0, 1 - (Math.abs(spin) * extent) / ROLLING_SLOW)
+    const slow = corner * Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW)
+    const grip = push / extent + slow
     let toSpin = spinAir.fade * spin + pushSpin
-    let brake = motion[m + BRAKE]
-    brake = Math.max(-grip, Math.min(grip, brake - ROLLING_SHARE * (toSpin + brake)))
+    let brake = motion[m + BRAKE] * footing[i]
+    brake = Math.max(
+      -grip,
+      Math.min(grip, brake - (footing[i] || ROCKING_SHARE) * ROLLING_SHARE * (toSpin + brake)),
+    )
     motion[m + BRAKE] = brake
     toSpin += brake
     motion[m + DRIFT_ANGLE] = spinAir.reach * spin + half * (pushSpin + brake)
@@ -342,12 +344,14 @@ export function sweep(
   start: number,
   latest: number,
 ): number {
-  const { bodies, contacts, friction, tolerance, relaxation: widest } = scene
+  const { bodies, contacts, friction, stiction, tolerance, relaxation: widest } = scene
   const s = bodies.state
   const d = contacts.data
   const pair = contacts.pair
   const stirred = bodies.stirred
   const lap = to - from + 1
+  const atRest = friction * (1 + stiction)
+  const loss = (friction * stiction) / SLOW
   let turn = start
   let rows = 0
   for (let i = from; i < to; i++) {
@@ -455,9 +459,10 @@ export function sweep(
       const ta = d[k + TA]
       const tb = d[k + TB]
       const old = d[k + DRAG]
-      const limit = friction * load
-      t =
-        old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * (nx * vy - ny * vx + tb * spinB - ta * spinA)
+      const slip = nx * vy - ny * vx + tb * spinB - ta * spinA
+      // As with what rolls: on a slope as steep as friction is strong, drag alone would say how slowly it slides.
+      const limit = load * Math.max(friction, atRest - loss * Math.abs(slip))
+      t = old - Math.min(relaxation, RELAXATION) * d[k + MASS_T] * slip
       if (t > limit) t = limit
       else if (t < -limit) t = -limit
       d[k + DRAG] = t

@@ -3,6 +3,7 @@ import {
   ANGLE,
   air,
   type Bodies,
+  CORE,
   capSpeed,
   INV_INERTIA,
   INV_MASS,
@@ -10,6 +11,8 @@ import {
   PUSH_SPIN,
   PUSH_X,
   PUSH_Y,
+  RADIUS,
+  SHAPE,
   SPIN,
   STATE,
   speedOf,
@@ -42,6 +45,7 @@ import {
   RUNAWAY,
   SLOP,
   STEP,
+  STICTION,
   SWEEP_BUDGET,
   SWEEPS,
   SWEEPS_LEAST,
@@ -69,6 +73,7 @@ import {
   SECOND,
   SUBSTEPS_TAKEN,
   SWEPT,
+  TA,
 } from './contacts'
 import { carryHold, type Hold, prepareHold, solveHold } from './grab'
 import { clearImpacts, furthest, Impacts } from './impacts'
@@ -107,6 +112,8 @@ export class Simulation extends Scene {
     const h = STEP / substeps
     this.substeps = substeps
     this.h = h
+    // What nothing brakes in the air slides as Coulomb says: so it is measured.
+    this.stiction = damping > 0 ? STICTION : 0
     this.air = air(damping, h)
     this.spinAir = air(spinDamping, h)
     this.flightAir = air(damping, STEP)
@@ -321,7 +328,7 @@ function fastest(simulation: Simulation, b0: number, b1: number): number {
   return most
 }
 
-/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and counts what each leans on. */
+/** Hands the impulses of the last step to the bodies as what they may expect in a sub-step, and notes how well each is borne. */
 function warmStart(
   simulation: Simulation,
   b0: number,
@@ -331,11 +338,11 @@ function warmStart(
   grabbed: Hold[],
 ): void {
   const { bodies, contacts, islands } = simulation
-  const { motion, props } = bodies
+  const { motion, shape, footing } = bodies
   for (let n = b0; n < b1; n++) {
     const i = islands.bodies[n]
     const m = i * MOTION
-    props[i] = 0
+    footing[i] = 0
     motion[m + PUSH_X] = 0
     motion[m + PUSH_Y] = 0
     motion[m + PUSH_SPIN] = 0
@@ -347,9 +354,15 @@ function warmStart(
     d[k + LAG] = 0
     if (d[k + POINTS] === 0 || d[k + LOAD] + d[k + SECOND + LOAD] === 0) continue
     carry(simulation, c, 1)
-    const a = contacts.pair[2 * c]
-    props[a] += 2
-    props[contacts.pair[2 * c + 1]] += a > 0 || d[k + LOAD] * d[k + SECOND + LOAD] > 0 ? 2 : 1
+    const both = d[k + LOAD] * d[k + SECOND + LOAD] > 0
+    for (let side = 0; side < 2; side++) {
+      const i = contacts.pair[2 * c + side]
+      const other = contacts.pair[2 * c + 1 - side]
+      // Borne farther from its centre than one that lies. What is nearly round never is, and on what is rounder than that it would stay.
+      const low = 1.05 * shape[i * SHAPE + RADIUS] + 0.75 * shape[i * SHAPE + CORE]
+      const stands = Math.abs(d[k + TA + side]) > Math.max(low, shape[other * SHAPE + RADIUS])
+      if (both || !stands) footing[i] = 1
+    }
   }
   for (const hold of grabbed) carryHold(bodies, hold)
 }
