@@ -1851,7 +1851,7 @@ function kick(scene: Scene, list: Int32Array, from: number, to: number, air: Air
     // As friction it holds what it can: its last value is where it starts from, else a chip on a slope would creep.
     const push = rolling * (Math.abs(pushX) + Math.abs(pushY))
     const extent = shape[i * SHAPE + EXTENT]
-    // With the lever of the disc that its corner is what is slow is held better: else a slope as steep as the resistance is strong
+    // What is slow is held better, with the lever of the disc that its corner is: else a slope as steep as the resistance is strong
     // lets it roll as slowly as drag likes.
     const corner = (0.5 * push * shape[i * SHAPE + RADIUS] * state[s + INV_INERTIA]) / state[s + INV_MASS]
     const slow = corner * Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW)
