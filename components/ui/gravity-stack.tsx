@@ -34,6 +34,9 @@ const STICTION = 0.2
 const SLOW = 20
 /** What stands up on one point is not held by it, or it would lean, on nothing: it is only braked, by so much of that share, as the solver feeds what rocks. */
 const ROCKING_SHARE = 0.1
+/** It stands if that point is farther from its centre than so much of its corners' radius and so much of what is within them: what is nearly round never does. */
+const UPRIGHT_ROUND = 1.05
+const UPRIGHT_CORE = 0.75
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */
@@ -3150,8 +3153,8 @@ function warmStart(
     for (let side = 0; side < 2; side++) {
       const i = contacts.pair[2 * c + side]
       const other = contacts.pair[2 * c + 1 - side]
-      // Borne farther from its centre than one that lies. What is nearly round never is, and on what is rounder than that it would stay.
-      const low = 1.05 * shape[i * SHAPE + RADIUS] + 0.75 * shape[i * SHAPE + CORE]
+      // On what is rounder than it is high it would only rock.
+      const low = UPRIGHT_ROUND * shape[i * SHAPE + RADIUS] + UPRIGHT_CORE * shape[i * SHAPE + CORE]
       const stands = Math.abs(d[k + TA + side]) > Math.max(low, shape[other * SHAPE + RADIUS])
       if (both || !stands) footing[i] = 1
     }

@@ -22,6 +22,9 @@ export const STICTION = 0.2
 export const SLOW = 20
 /** What stands up on one point is not held by it, or it would lean, on nothing: it is only braked, by so much of that share, as the solver feeds what rocks. */
 export const ROCKING_SHARE = 0.1
+/** It stands if that point is farther from its centre than so much of its corners' radius and so much of what is within them: what is nearly round never does. */
+export const UPRIGHT_ROUND = 1.05
+export const UPRIGHT_CORE = 0.75
 /** px/s of approach below which nothing bounces: above it a pile would never come to rest. */
 export const BOUNCE_THRESHOLD = 90
 /** px/s, the fastest a chip ever moves. */

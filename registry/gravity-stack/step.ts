@@ -57,6 +57,8 @@ import {
   TOLERANCE_SHARE_LIVELY,
   TOLERANCE_STILL,
   UNEVEN,
+  UPRIGHT_CORE,
+  UPRIGHT_ROUND,
 } from './constants'
 import {
   CONTACT,
@@ -358,8 +360,8 @@ function warmStart(
     for (let side = 0; side < 2; side++) {
       const i = contacts.pair[2 * c + side]
       const other = contacts.pair[2 * c + 1 - side]
-      // Borne farther from its centre than one that lies. What is nearly round never is, and on what is rounder than that it would stay.
-      const low = 1.05 * shape[i * SHAPE + RADIUS] + 0.75 * shape[i * SHAPE + CORE]
+      // On what is rounder than it is high it would only rock.
+      const low = UPRIGHT_ROUND * shape[i * SHAPE + RADIUS] + UPRIGHT_CORE * shape[i * SHAPE + CORE]
       const stands = Math.abs(d[k + TA + side]) > Math.max(low, shape[other * SHAPE + RADIUS])
       if (both || !stands) footing[i] = 1
     }
