@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { halfExtent } from '../../scenes/exact-distance'
 import { hardScenes } from '../../scenes/hard'
 import { pourChips, pourStage } from '../../scenes/piles'
-import { frame } from '../../scenes/scene'
+import { type Chip, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
 import { overlap, readAll, run, settle, stage, worldOf } from './testing'
 
@@ -18,6 +18,44 @@ function asleep(chips: Parameters<typeof worldOf>[0]) {
   const made = worldOf(chips)
   expect(settle(made.world)).toBeLessThan(360)
   return made
+}
+
+/**
+ * Frames of 300 in which a chip is slower than 20 px/s and does not stand, that sets out on a card with a slope of `rise` in 400, `along` px from its
+ * middle, at `speed` px/s. `walled` cards have their lower end at a wall: steep ones would slide.
+ */
+function creeping(
+  rise: number,
+  chip: Omit<Chip, 'x' | 'y' | 'angle'>,
+  along: number,
+  speed: number,
+  walled = false,
+) {
+  const angle = Math.atan(rise / 400)
+  const [c, s] = [Math.cos(angle), Math.sin(angle)]
+  // From the middle of the card's top side: `along` it and `up` from it.
+  const at = (along: number, up: number) => ({
+    x: 340 + 20 * s + along * c + up * s,
+    y: floor - 60 - rise / 2 - 20 * c + along * s - up * c,
+    angle,
+  })
+  const { world, ids } = worldOf(
+    [
+      { width: 40, height: 60 + rise, x: 120, y: floor - (60 + rise) / 2, angle: 0, density: 100 },
+      { width: 40, height: 60, x: 520, y: floor - 30, angle: 0, density: 100 },
+      { width: 460, height: 20, ...at(0, -10), density: 20 },
+      { ...chip, ...at(along, chip.height / 2), vx: speed * c, vy: speed * s },
+    ],
+    walled ? { width: at(230, 0).x } : {},
+  )
+  let slow = 0
+  for (let k = 0; k < 300; k++) {
+    world.step(frame)
+    const { vx, vy } = world.read(ids[3])
+    const now = Math.hypot(vx, vy)
+    if (now > 0.5 && now < 20) slow++
+  }
+  return slow
 }
 
 describe('a pile falls asleep', () => {
@@ -81,60 +119,15 @@ describe('a pile falls asleep', () => {
   })
 
   it('but what rolls down a slope, which stops or rolls away at any slope: one as steep as rolling resistance is strong let it creep for ever', () => {
-    for (let rise = 16; rise <= 40; rise++) {
-      const angle = Math.atan(rise / 400)
-      const [c, s] = [Math.cos(angle), Math.sin(angle)]
-      // From the middle of the card's top side: `along` it and `up` from it.
-      const at = (along: number, up: number) => ({
-        x: 340 + 20 * s + along * c + up * s,
-        y: floor - 60 - rise / 2 - 20 * c + along * s - up * c,
-        angle,
-      })
-      const { world, ids } = worldOf([
-        { width: 40, height: 60 + rise, x: 120, y: floor - (60 + rise) / 2, angle: 0, density: 100 },
-        { width: 40, height: 60, x: 520, y: floor - 30, angle: 0, density: 100 },
-        { width: 460, height: 20, ...at(0, -10), density: 20 },
-        { width: 36, height: 36, radius: 18, ...at(-100, 18), vx: 5 * c, vy: 5 * s, spin: 5 / 18 },
-      ])
-      let slow = 0
-      for (let k = 0; k < 300; k++) {
-        world.step(frame)
-        const { vx, vy } = world.read(ids[3])
-        const speed = Math.hypot(vx, vy)
-        if (speed > 0.5 && speed < 20) slow++
-      }
-      expect(slow, `a slope of ${rise} in 400`).toBeLessThan(150)
-    }
+    const disc = { width: 36, height: 36, radius: 18, spin: 5 / 18 }
+    for (let rise = 16; rise <= 40; rise++)
+      expect(creeping(rise, disc, -100, 5), `a slope of ${rise} in 400`).toBeLessThan(150)
   })
 
   it('and what slides down one, at any slope: one as steep as friction is strong let it creep for ever', () => {
-    for (let rise = 150; rise <= 190; rise += 0.5) {
-      const angle = Math.atan(rise / 400)
-      const [c, s] = [Math.cos(angle), Math.sin(angle)]
-      const at = (along: number, up: number) => ({
-        x: 340 + 20 * s + along * c + up * s,
-        y: floor - 60 - rise / 2 - 20 * c + along * s - up * c,
-        angle,
-      })
-      // The card's lower end is at the wall, else it would slide as well.
-      const { world, ids } = worldOf(
-        [
-          { width: 40, height: 60 + rise, x: 120, y: floor - (60 + rise) / 2, angle: 0, density: 100 },
-          { width: 40, height: 60, x: 520, y: floor - 30, angle: 0, density: 100 },
-          { width: 460, height: 20, ...at(0, -10), density: 20 },
-          { width: 60, height: 30, radius: 8, ...at(-150, 15), vx: 10 * c, vy: 10 * s },
-        ],
-        { width: at(230, 0).x },
-      )
-      let slow = 0
-      for (let k = 0; k < 300; k++) {
-        world.step(frame)
-        const { vx, vy } = world.read(ids[3])
-        const speed = Math.hypot(vx, vy)
-        if (speed > 0.5 && speed < 20) slow++
-      }
-      expect(slow, `a slope of ${rise} in 400`).toBeLessThan(60)
-    }
+    const badge = { width: 60, height: 30, radius: 8 }
+    for (let rise = 150; rise <= 190; rise += 0.5)
+      expect(creeping(rise, badge, -150, 10, true), `a slope of ${rise} in 400`).toBeLessThan(60)
   })
 
   it('with all its speed gone', () => {
