@@ -29,6 +29,29 @@ test('a stage hidden with its pile shows the same pile again, and has not settle
   await expect(page.locator('#settled')).toHaveText('1')
 })
 
+test('a chip hidden while its stage is hidden has gone when the stage is shown, and what it carried falls', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 9, box: 'h-[340px] w-[160px]', stagger: 20 })
+  await page.locator('main').evaluate(async (main) => {
+    main.style.display = 'none'
+    await window.probe.pass(3)
+    for (const face of main.querySelectorAll<HTMLElement>(
+      '[data-slot=gravity-stack-chip]:nth-child(-n+3) > *',
+    ))
+      face.style.display = 'none'
+    await window.probe.pass(3)
+    main.style.display = ''
+  })
+  await expect.poll(() => stage.states()).toContain('waiting')
+  await stage.reaches('resting')
+  expect(await stage.states()).toEqual([...Array(3).fill('waiting'), ...Array(6).fill('resting')])
+  const { shapes, poses, stage: size } = await stage.pile()
+  const lowest = Math.max(...poses.slice(3).map(({ y }, i) => y + shapes[i + 3].height / 2))
+  expect(lowest).toBeGreaterThan(size.height - 1)
+})
+
 test('a new stagger leaves a pile at rest alone', async ({ stage, page }) => {
   await stage.settled('extras')
   await page.locator('#pace').click()

@@ -210,3 +210,34 @@ test('zoomed to 400 % in the middle of the fall, and back, the pile ends at rest
   expect(await stage.overlap()).toBeLessThan(1)
   expect(await stage.outside()).toBeLessThan(1)
 })
+
+for (const seed of [1, 2, 3]) {
+  test(`whatever is done to a stage, in any order, its chips end at rest, apart and in reach (${seed})`, async ({
+    stage,
+    page,
+  }) => {
+    await page.setViewportSize({ width: 1000, height: 700 })
+    await stage.open('anything')
+    await page.waitForFunction(() => 'disturb' in window)
+    for (const [part, reducedMotion] of (['no-preference', 'reduce', 'no-preference'] as const).entries()) {
+      await page.emulateMedia({ reducedMotion })
+      await page.evaluate((seed) => window.disturb(seed, 60), 3 * seed + part)
+    }
+    await page.evaluate(() => window.tidy())
+    await stage.reaches('resting')
+    expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+    expect(await stage.overlap()).toBeLessThan(0.3)
+    expect(await stage.outside()).toBeLessThan(0.3)
+    expect(await stage.hovering()).toBeLessThan(0.5)
+    expect(await stage.during('frames')).toBe(0)
+    expect(await stage.probe(({ timers }) => timers)).toBe(0)
+    const chip = stage.chips.filter({ hasNot: page.locator('input') }).first()
+    await stage.drag(chip, 0, -60)
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    await page.mouse.up()
+    await stage.reaches('resting')
+    await page.evaluate(() => window.leave())
+    await expect(stage.root).toHaveCount(0)
+    await stage.isGone()
+  })
+}

@@ -410,7 +410,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function enqueue(chip: Chip) {
     catchUp()
     chip.turn = turns++
-    slot = Math.max(slot, clock)
     schedule(chip)
   }
 
@@ -425,7 +424,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Times the releases to come anew. */
   function requeue() {
-    catchUp()
     const waiting = queue
     queue = []
     // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
@@ -477,13 +475,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     clock = end
   }
 
-  /** Counts the time in which nothing moved. What moves by now has only just begun: it is not moved on. */
+  /** Counts the time in which nothing moved: the world has no part in it, as what moves by now has only just begun. */
   function catchUp() {
     if (idleSince === undefined) return
     const now = performance.now()
-    const end = Math.min(clock + (now - idleSince) / 1000, queue[0]?.due ?? Infinity)
-    if (world!.resting) world!.step(end - clock)
-    clock = end
+    clock = Math.min(clock + (now - idleSince) / 1000, queue[0]?.due ?? Infinity)
     idleSince = now
   }
 
