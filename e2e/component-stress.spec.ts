@@ -88,6 +88,35 @@ test.describe('whatever the display does', () => {
   })
 })
 
+test('after five seconds in a hidden tab a chip falls on from where it was, as if none had passed', async ({
+  stage,
+  page,
+}) => {
+  await page.addInitScript(takeFrames)
+  const open = async () => {
+    await stage.open('pile', { chips: 1, box: 'h-[700px] w-[640px]', stagger: 0 })
+    await stage.reaches('running')
+  }
+  const drive = (frames: number) =>
+    page.evaluate((frames) => window.drive(Array(frames).fill(1000 / 60)), frames)
+  const hide = (hidden: boolean) =>
+    page.evaluate((hidden) => {
+      Object.defineProperty(document, 'hidden', { value: hidden, configurable: true })
+      document.dispatchEvent(new Event('visibilitychange'))
+    }, hidden)
+  await open()
+  const whole = await drive(30)
+  expect(new Set(whole).size).toBeGreaterThan(25)
+  await open()
+  const before = await drive(15)
+  await hide(true)
+  await page.evaluate(() => window.drive([5000]))
+  await hide(false)
+  const [again, ...after] = await drive(16)
+  expect([...before, ...after]).toEqual(whole)
+  expect(again).toBe(before.at(-1))
+})
+
 test('ten thousand wild pointer events lose no chip and leave none held', async ({ stage, page }) => {
   await stage.settled('pile', { chips: 12, shape: 'all' })
   await page.evaluate(async () => {
