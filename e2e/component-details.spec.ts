@@ -64,6 +64,24 @@ test('corners that a rule of the page squares by and by are square once they are
   await stage.reaches('resting')
 })
 
+test('words alone that a rule of the page makes round stay round as they grow', async ({ stage, page }) => {
+  await stage.settled('children')
+  const chip = stage.chip('text')
+  await page.addStyleTag({ content: '[data-slot=gravity-stack-chip] { border-radius: 50% }' })
+  /** How far their corners are from half of their height, px. */
+  const off = () =>
+    chip.evaluate((element: HTMLElement) =>
+      Math.abs(element.offsetHeight / 2 - Number.parseFloat(element.style.borderRadius)),
+    )
+  for (const size of [30, 50]) {
+    await chip.evaluate((element, size) => {
+      element.style.fontSize = `${size}px`
+    }, size)
+    await expect.poll(off).toBeLessThan(0.6)
+  }
+  await stage.reaches('resting')
+})
+
 test('beside a chip that has become round, in the corner of its box, nothing is pressed any more', async ({
   stage,
 }) => {

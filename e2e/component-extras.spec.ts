@@ -119,6 +119,34 @@ test('pause() freezes the chips in the air, resume() lets them go on', async ({ 
   await stage.reaches('resting')
 })
 
+test('paused while it has no height, a stage drops its chips when it has one and goes on', async ({
+  stage,
+  page,
+}) => {
+  await page.addInitScript(() => {
+    addEventListener('DOMContentLoaded', () => {
+      const flat = document.createElement('style')
+      flat.textContent = '[data-slot=gravity-stack] { height: 0 !important }'
+      document.head.append(flat)
+      Object.assign(window, { unfold: () => flat.remove() })
+    })
+  })
+  await stage.open('extras')
+  await stage.reaches('waiting')
+  await page.locator('#pause').click()
+  // Its chips may change their size all the same.
+  await stage.chips.first().evaluate((chip) => {
+    ;(chip.firstElementChild as HTMLElement).style.fontSize = '30px'
+    return window.probe.pass(3)
+  })
+  await page.evaluate('unfold()')
+  await stage.reaches('paused')
+  expect(new Set(await stage.states())).toEqual(new Set(['waiting']))
+  await page.locator('#resume').click()
+  await stage.reaches('resting')
+  expect(new Set(await stage.states())).toEqual(new Set(['resting']))
+})
+
 test('a new gravity takes hold of the pile as it lies', async ({ stage, page }) => {
   await stage.settled('extras')
   const { poses } = await stage.pile()

@@ -3887,10 +3887,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       }
     }
     sync()
-    if (state === 'paused' && pausing.current) {
+    if (world && pausing.current) {
       // No time passes, but nothing may stay behind a wall or in another chip.
-      world!.makeRoom()
-      world!.eachMoved(paint)
+      world.makeRoom()
+      world.eachMoved(paint)
       // It had the focus before it had a size.
       bringIn(chipAt((root.getRootNode() as Document).activeElement))
     }
