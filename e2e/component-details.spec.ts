@@ -304,6 +304,34 @@ test('in a shadow tree that nobody sees into a drag is a click to nobody either'
   await expect.poll(state).toBe('resting')
   expect(await clicks.jsonValue()).toEqual([])
   await expect(page).not.toHaveURL(/#there$/)
+  // Nor to the stage: a word let go where it hangs falls, it doesn't hop.
+  const word = await page.evaluateHandle(
+    () => (window as unknown as { inside: ShadowRoot }).inside.querySelector('span')!,
+  )
+  const top = () => word.evaluate((element) => element.getBoundingClientRect().y)
+  const box = (await word.boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(box.x + box.width / 2, box.y - 60, { steps: 8 })
+  let hung = Number.NaN
+  await expect
+    .poll(async () => {
+      const before = hung
+      hung = await top()
+      return Math.abs(hung - before)
+    })
+    .toBeLessThan(0.5)
+  const highest = word.evaluate(async (element) => {
+    let top = Number.POSITIVE_INFINITY
+    const stage = element.closest<HTMLElement>('[data-slot=gravity-stack]')!
+    while (stage.dataset.state === 'running') {
+      top = Math.min(top, element.getBoundingClientRect().y)
+      await new Promise(requestAnimationFrame)
+    }
+    return top
+  })
+  await page.mouse.up()
+  expect(await highest).toBeGreaterThan(hung - 10)
 })
 
 test.describe('with fingers', () => {
