@@ -265,3 +265,26 @@ test('sideways gestures are left to the browser but for drags on a chip', async 
   )
   expect(await stage.probe((probe) => probe.listeners.wheel ?? 0)).toBe(0)
 })
+
+test('a button beside the stage hears its click, though a finger lets go of a chip while it is down', async ({
+  stage,
+  page,
+}) => {
+  const finger = await ready(stage, page)
+  await stage.root.evaluate((root) => {
+    const button = document.createElement('button')
+    button.style.cssText = 'position: fixed; inset: 0 auto auto 0; width: 60px; height: 60px'
+    button.onclick = () => button.append('clicked')
+    root.before(button)
+  })
+  const chip = stage.chips.first()
+  await onto(finger, stage, chip)
+  await finger.by(60, 0)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.move(30, 30)
+  await page.mouse.down()
+  await finger.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await expect(page.getByRole('button')).toHaveText('clicked')
+})
