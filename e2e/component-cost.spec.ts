@@ -1,6 +1,7 @@
 import type { CDPSession, Page } from '@playwright/test'
 import { categories, Trace } from '../bench/browser/trace'
 import { median } from '../bench/film'
+import { hideTab } from './fixtures/hide-tab'
 import { expect, StagePage, test } from './fixtures/stage'
 
 test('before the stage is near the view nothing runs: no frame, no layout read, one shared observer', async ({
@@ -284,10 +285,7 @@ test('a chip in motion has one layer, a chip at rest none', async ({ stage, page
 const idle: Record<string, () => void> = {
   'at rest': () => {},
   'off screen': () => scrollTo(0, 2000),
-  'in a hidden tab': () => {
-    Object.defineProperty(document, 'hidden', { value: true, configurable: true })
-    document.dispatchEvent(new Event('visibilitychange'))
-  },
+  'in a hidden tab': hideTab,
   paused: () => document.querySelector<HTMLElement>('#pause')!.click(),
 }
 for (const [when, bring] of Object.entries(idle)) {

@@ -1,3 +1,4 @@
+import { hideTab } from './fixtures/hide-tab'
 import { expect, test } from './fixtures/stage'
 
 test('out of view the stage pauses, and goes on where it was', async ({ stage, page }) => {
@@ -28,17 +29,12 @@ test('in a hidden tab the stage pauses, and a held chip is let go', async ({ sta
   await expect(chip).toHaveAttribute('data-state', 'resting')
   await stage.drag(chip, 0, -40)
   await expect(chip).toHaveAttribute('data-state', 'held')
-  const hide = (hidden: boolean) =>
-    page.evaluate((hidden) => {
-      Object.defineProperty(document, 'hidden', { value: hidden, configurable: true })
-      document.dispatchEvent(new Event('visibilitychange'))
-    }, hidden)
-  await hide(true)
+  await page.evaluate(hideTab, true)
   await stage.reaches('paused')
   await expect(chip).not.toHaveAttribute('data-state', 'held')
   expect(await stage.during('frames')).toBe(0)
   expect(await stage.probe((probe) => probe.timers)).toBe(0)
-  await hide(false)
+  await page.evaluate(hideTab, false)
   await stage.reaches('running')
   await expect(chip).toHaveAttribute('data-state', 'resting')
   await page.mouse.up()

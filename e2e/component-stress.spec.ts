@@ -1,6 +1,7 @@
 import type { Page } from '@playwright/test'
 import { seeded } from '../scenes/seeded'
 import { takeFrames } from './fixtures/frames'
+import { hideTab } from './fixtures/hide-tab'
 import { expect, test } from './fixtures/stage'
 
 /** The pile that a page's drop ends in when its frames are this long, ms. */
@@ -99,19 +100,14 @@ test('after five seconds in a hidden tab a chip falls on from where it was, as i
   }
   const drive = (frames: number) =>
     page.evaluate((frames) => window.drive(Array(frames).fill(1000 / 60)), frames)
-  const hide = (hidden: boolean) =>
-    page.evaluate((hidden) => {
-      Object.defineProperty(document, 'hidden', { value: hidden, configurable: true })
-      document.dispatchEvent(new Event('visibilitychange'))
-    }, hidden)
   await open()
   const whole = await drive(30)
   expect(new Set(whole).size).toBeGreaterThan(25)
   await open()
   const before = await drive(15)
-  await hide(true)
+  await page.evaluate(hideTab, true)
   await page.evaluate(() => window.drive([5000]))
-  await hide(false)
+  await page.evaluate(hideTab, false)
   const [again, ...after] = await drive(16)
   expect([...before, ...after]).toEqual(whole)
   expect(again).toBe(before.at(-1))
