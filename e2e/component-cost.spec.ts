@@ -118,6 +118,18 @@ test('only chips that move have a layer of their own', async ({ stage, page }) =
   ).toBe('content')
 })
 
+test('chips that wait are painted before all that move, so that no layer is looked through for them', async ({
+  stage,
+}) => {
+  await stage.open('pile', { chips: 12, stagger: 300 })
+  await expect(stage.chips.nth(6)).toHaveAttribute('data-state', 'falling')
+  const order = await stage.chips.evaluateAll((all) =>
+    all.map((chip) => [(chip as HTMLElement).dataset.state, getComputedStyle(chip).zIndex]),
+  )
+  expect(order.map(([state]) => state)).toEqual(expect.arrayContaining(['waiting', 'falling']))
+  for (const [state, z] of order) expect(z).toBe(state === 'waiting' ? '-1' : 'auto')
+})
+
 test('while one chip is lifted, those that do not touch it sleep on and are not drawn', async ({
   stage,
   page,
