@@ -10,6 +10,7 @@ import { type Browser, type BrowserContext, type CDPSession, chromium, type Page
 import { pourStage } from '../scenes/piles'
 import { bringBrowser } from '../scripts/browser.mjs'
 import type {} from './browser/observe'
+import type {} from './browser/replay'
 import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
 import { serve, stageNames } from './browser/serve'
 import { categories, Trace } from './browser/trace'
@@ -26,6 +27,7 @@ const drops = [
   [250, 10, 1],
   [1000, 5, 1],
 ] as const
+const crowd = drops[3]
 /** Times that each of them, and the interactions, are played: of one the worst frame is the machine's as often as the stage's. */
 const plays = 3
 /** s that a stage which never rests is watched after its last release. */
@@ -36,6 +38,8 @@ const idleSeconds = 5
 /** Pages whose first drop is timed: the code is cold, so that a single one says little. */
 const firstDrops = 5
 const slow = 4
+/** The one stage that comes to rest. */
+const restful: StageName = 'gravity-stack'
 
 await bringBrowser()
 const server = await serve()
@@ -50,7 +54,7 @@ const wait = (seconds: number) => new Promise((resolve) => setTimeout(resolve, 1
 async function visit<T>(
   browser: Browser,
   { stage, chips, stagger, throttle = 1, above = 0 }: Visit,
-  extra: { counting?: boolean; restless?: boolean },
+  extra: { counting?: boolean; recording?: boolean; restless?: boolean },
   work: (page: Page, session: CDPSession, start: () => Promise<unknown>) => Promise<T>,
 ): Promise<T> {
   let context: BrowserContext | undefined
@@ -63,8 +67,8 @@ async function visit<T>(
     const failed = new Promise<never>((_, reject) => page.on('pageerror', reject))
     failed.catch(() => {})
     const { width, height } = pourStage(chips)
-    const { counting = false, restless = false } = extra
-    const query = { chips, stagger, width, height, above, counting, restless }
+    const { counting = false, recording = false, restless = false } = extra
+    const query = { chips, stagger, width, height, above, counting, recording, restless }
     await page.goto(`${server.url}/${stage}?${new URLSearchParams(query as never)}`)
     const session = await context.newCDPSession(page)
     await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
@@ -92,7 +96,7 @@ async function marked(page: Page, name: string, seconds = 60) {
 /** Until the stage rests; one that never does is left when it would long have. */
 async function dropped(page: Page, { stage, chips, stagger }: Visit) {
   await marked(page, 'drawn')
-  if (stage === 'gravity-stack') await marked(page, 'rest')
+  if (stage === restful) await marked(page, 'rest')
   else await wait((chips * stagger) / 1000 + watched)
 }
 
@@ -106,6 +110,20 @@ async function timeDrop(browser: Browser, stage: StageName, [chips, stagger, thr
     const from = trace.mark('drawn') ?? Number.NaN
     const to = trace.mark('rest') ?? from + chips * stagger * 1000 + watched * 1e6
     return { chips, stagger, throttle, ...trace.frames(from, to) }
+  })
+}
+
+/** Frames a second of a drop's writes without what worked them out, once all lies still. */
+async function timeReplay(browser: Browser, stage: StageName, [chips, stagger, throttle]: readonly number[]) {
+  const conditions = { stage, chips, stagger, throttle }
+  return visit(browser, conditions, { recording: true }, async (page, _, start) => {
+    await start()
+    await dropped(page, conditions)
+    await browser.startTracing(page, { categories })
+    await page.evaluate(() => window.replay())
+    await marked(page, 'replayed')
+    const trace = new Trace(await browser.stopTracing())
+    return trace.frames(trace.mark('replay') ?? Number.NaN, trace.mark('replayed') ?? Number.NaN).rate
   })
 }
 
@@ -299,6 +317,17 @@ async function measure(stages: StageName[]) {
       const forced = Math.max(...played[stage].map((one) => one.forced))
       results[stage].drops.push({ ...middle(played[stage]), forced })
     }
+  }
+  // Only a stage that rests leaves the page to what is played again.
+  if (stages.includes(restful)) {
+    const rates: number[] = []
+    for (let n = 1; n <= plays; n++)
+      rates.push(
+        await attempt(`${restful}: ${crowd[0]} chips without physics, ${n}`, () =>
+          timeReplay(browser, restful, crowd),
+        ),
+      )
+    results[restful].replay = median(rates)
   }
   for (const throttle of [1, slow]) {
     idle[throttle] = await attempt(`an empty frame loop, ${throttle}×`, () => timeIdle(browser, throttle))

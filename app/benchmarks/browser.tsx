@@ -55,6 +55,10 @@ const rows: Row[] = [
     value: (result) => dropOf(result, most, 1)!.rate.toFixed(0),
   },
   {
+    name: 'The same drop recorded and played again, without physics',
+    value: ({ replay }) => replay?.toFixed(0) ?? '–',
+  },
+  {
     name: `The browser’s own part of a frame, ${thousands} chips: style and layout / paint / compositing, ms`,
     value: (result) => {
       const { style, paint, raster, compositor } = dropOf(result, most, 1)!

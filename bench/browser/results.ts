@@ -32,6 +32,8 @@ export type StageResult = {
   /** Bytes of its script, minified and compressed, all but React and `cn`. */
   bytes: number
   drops: Drop[]
+  /** Frames a second of a thousand chips drawn as in the drop, without the physics: of a stage that rests, the median of three. */
+  replay?: number
   /** ms of script, style and layout between the view of 60 chips and their first frame, the median of five pages, by throttle. */
   firstDrop: Record<string, number>
   /** Layouts from the server's markup to the first frame, 60 chips. */

@@ -50,7 +50,8 @@ export async function serve() {
   const bundles = Object.fromEntries(
     await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
   )
-  const observing = await script(`export { observe } from './observe'`, here, 'iife', { name: 'observer' })
+  const watching = `export { observe } from './observe'; export { record } from './replay'`
+  const observing = await script(watching, here, 'iife', { name: 'observer' })
   const styles = await postcss([tailwind()]).process(css, { from: join(here, 'page.css') })
   const server = createServer((request, response) => {
     const { pathname, searchParams } = new URL(request.url ?? '/', 'http://localhost')
@@ -64,13 +65,13 @@ export async function serve() {
     if (name === 'page.css') return send('text/css', styles.css)
     if (!stage) return response.writeHead(name === 'favicon.ico' ? 200 : 404).end()
     if (file === 'client.js') return send('text/javascript', stage.script)
-    const { above, counting, ...values } = Object.fromEntries(searchParams)
+    const { above, counting, recording, ...values } = Object.fromEntries(searchParams)
     const props = Object.fromEntries(Object.entries(values).map(([key, value]) => [key, JSON.parse(value)]))
     return send(
       'text/html',
       `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>${name}</title>
 <meta name="viewport" content="width=device-width"><link rel="stylesheet" href="/page.css">
-<script>${observing}observer.observe(${counting === 'true'})</script></head>
+<script>${observing}observer.observe(${counting === 'true'});${recording === 'true' ? 'observer.record()' : ''}</script></head>
 <body><div style="height:${Number(above)}px"></div><div id="root">${stage.render(props)}</div>
 <script id="props" type="application/json">${JSON.stringify(props)}</script></body></html>`,
     )
