@@ -71,6 +71,26 @@ test.describe('with reduced motion', () => {
     await stage.reaches('static')
   })
 
+  test('what decorates the stage lies behind the chips', async ({ stage, page }) => {
+    await stage.open('pile')
+    await begun(stage)
+    expect(await covered(stage, page)).toBe(0)
+  })
+
+  test('a badge at the corner of a chip is at its corner', async ({ stage }) => {
+    await stage.open('pile')
+    await begun(stage)
+    const away = await stage.chips.nth(5).evaluate((chip) => {
+      const badge = document.createElement('i')
+      badge.style.cssText = 'position: absolute; right: 0; top: 0; width: 8px; height: 8px'
+      chip.firstElementChild!.append(badge)
+      const { right, top } = chip.getBoundingClientRect()
+      const at = badge.getBoundingClientRect()
+      return [at.right - right, at.top - top]
+    })
+    expect(away).toEqual([0, 0])
+  })
+
   test('in Tailwind’s important mode the chips stand in the row as well', async ({ stage, page }) => {
     await stage.open('pile', { important: true })
     await begun(stage)
@@ -135,6 +155,31 @@ test.describe('with reduced motion', () => {
       (await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations,
     ).toEqual([])
   })
+})
+
+/** The stage with a sheet of its own behind its chips; how many chips that sheet covers. */
+async function covered(stage: StagePage, page: Page) {
+  await page.addStyleTag({
+    content:
+      '[data-slot=gravity-stack]::before { content: ""; position: absolute; inset: 0; background: #ddd }',
+  })
+  return stage.chips.evaluateAll(
+    (all) =>
+      all.filter((chip) => {
+        const { x, y, width, height } = chip.getBoundingClientRect()
+        return !chip.contains(document.elementFromPoint(x + width / 2, y + height / 2))
+      }).length,
+  )
+}
+
+test('what decorates a stage lies behind the chips, in the pile and on paper', async ({ stage, page }) => {
+  await stage.open('pile')
+  await expect(stage.chips.nth(4)).toHaveAttribute('data-state', 'falling')
+  await page.emulateMedia({ media: 'print' })
+  expect(await covered(stage, page)).toBe(0)
+  await page.emulateMedia({ media: 'screen' })
+  await stage.reaches('resting')
+  expect(await covered(stage, page)).toBe(0)
 })
 
 test.describe('without script', () => {
