@@ -48,6 +48,23 @@ test('in a stage without height that is paused from the start a chip can have th
   await page.getByText('there').focus()
 })
 
+test('in a paused stage that gets its height late the chip with the focus comes into view', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'lowest' })
+  const link = page.getByText('there')
+  await link.focus()
+  await stage.root.evaluate((root) => {
+    root.style.height = '240px'
+  })
+  await stage.reaches('paused')
+  await expect(stage.chip('there')).not.toHaveAttribute('data-state', 'waiting')
+  const { y } = await stage.centre(stage.chip('there'))
+  expect(y).toBeGreaterThan(0)
+  expect(y).toBeLessThan(240)
+})
+
 test('a finger that swipes over a paused stage is the browser’s, whichever way it goes', async ({
   stage,
   page,
