@@ -98,16 +98,21 @@ test('a removed child vanishes, what it carried falls, the rest stay where they 
   expect(await stage.hovering()).toBeLessThan(0.5)
 })
 
-test('when chips that wait are hidden, those behind them move up', async ({ stage }) => {
-  // Behind twenty others the last would come after 105 s, and no state is waited for as long.
-  await stage.open('pile', { chips: 22, stagger: 5000 })
-  await stage.reaches('running')
-  await stage.chips.evaluateAll((all) => {
-    for (const chip of all.slice(1, -1)) (chip.firstElementChild as HTMLElement).style.display = 'none'
+for (const what of ['hidden', 'taken away']) {
+  test(`when chips that wait are ${what}, those behind them move up`, async ({ stage }) => {
+    // Behind twenty others the last would come after 105 s, and no state is waited for as long.
+    await stage.open('pile', { chips: 22, stagger: 5000 })
+    await stage.reaches('running')
+    await stage.chips.evaluateAll((all, what) => {
+      for (const chip of all.slice(1, -1)) {
+        if (what === 'hidden') (chip.firstElementChild as HTMLElement).style.display = 'none'
+        else chip.remove()
+      }
+    }, what)
+    await expect(stage.chips.last()).toHaveAttribute('data-state', 'resting')
+    await stage.reaches('resting')
   })
-  await expect(stage.chips.last()).toHaveAttribute('data-state', 'resting')
-  await stage.reaches('resting')
-})
+}
 
 test('conditional children and fragments come and go one by one', async ({ stage, page }) => {
   await stage.settled('children')
