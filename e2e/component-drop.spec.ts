@@ -1,4 +1,5 @@
 import { worstOverlap } from '../scenes/exact-distance'
+import { takeFrames } from './fixtures/frames'
 import { expect, test } from './fixtures/stage'
 
 for (const chips of [12, 40, 60]) {
@@ -64,6 +65,22 @@ test('the same chips land in the same places at every visit', async ({ stage }) 
   for (const [i, { x, y }] of second.poses.entries()) {
     expect(Math.hypot(x - first.poses[i].x, y - first.poses[i].y)).toBeLessThan(0.3)
   }
+})
+
+test('chips that are released at once begin apart', async ({ stage, page }) => {
+  await page.addInitScript(takeFrames)
+  await stage.open('pile', { chips: 40, stagger: 0, shape: 'all' })
+  await stage.reaches('running')
+  const worst: number[] = []
+  let states: (string | undefined)[]
+  do {
+    await page.evaluate(() => window.drive([1000 / 60]))
+    states = await stage.states()
+    const { shapes, poses, stage: box } = await stage.pile()
+    const released = (_: unknown, i: number) => states[i] !== 'waiting'
+    worst.push(worstOverlap(shapes.filter(released), poses.filter(released), box))
+  } while (states.includes('waiting'))
+  expect(Math.max(...worst)).toBeLessThan(0.1)
 })
 
 test('chips fall one by one, first come first', async ({ stage }) => {

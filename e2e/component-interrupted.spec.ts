@@ -1,3 +1,4 @@
+import type { Page } from '@playwright/test'
 import { expect, test } from './fixtures/stage'
 
 declare global {
@@ -60,7 +61,8 @@ test('a new stagger leaves a pile at rest alone', async ({ stage, page }) => {
   expect(await stage.probe((probe) => probe.states.filter((state) => state === 'running').length)).toBe(1)
 })
 
-test('a new stagger holds for chips that wait already: they come one by one', async ({ stage, page }) => {
+/** Counts from now on how many chips each frame releases. */
+async function countReleases(page: Page) {
   await page.addInitScript(() => {
     const together: number[] = []
     Object.assign(window, { together })
@@ -72,21 +74,50 @@ test('a new stagger holds for chips that wait already: they come one by one', as
       if (released.length > 0) together.push(released.length)
     }).observe(document, { subtree: true, attributeFilter: ['data-state'], attributeOldValue: true })
   })
+  return async () =>
+    Math.max(...(await page.evaluate(() => (window as unknown as { together: number[] }).together)))
+}
+
+function letClockBePutForward(page: Page) {
+  return page.addInitScript(() => {
+    const now = performance.now.bind(performance)
+    window.passed = 0
+    performance.now = () => now() + window.passed
+  })
+}
+
+test('a new stagger holds for chips that wait already: they come one by one', async ({ stage, page }) => {
+  const mostAtOnce = await countReleases(page)
   await stage.open('extras', { stagger: 60000 })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
   expect(await stage.states()).toContain('waiting')
   await page.locator('#pace').click()
   await expect.poll(() => stage.states()).not.toContain('waiting')
   await stage.reaches('resting')
-  const together = await page.evaluate(() => (window as unknown as { together: number[] }).together)
-  expect(Math.max(...together)).toBeLessThan(5)
+  expect(await mostAtOnce()).toBeLessThan(5)
+})
+
+test('chips to come still come one by one when one is tapped after the computer has slept', async ({
+  stage,
+  page,
+}) => {
+  await letClockBePutForward(page)
+  const mostAtOnce = await countReleases(page)
+  await stage.open('pile', { chips: 4, stagger: 2500 })
+  const first = stage.chips.first()
+  await expect(first).toHaveAttribute('data-state', 'resting')
+  const { x, y } = await stage.centre(first)
+  await page.evaluate(() => {
+    window.passed = 30_000
+  })
+  await page.mouse.click(x, y)
+  await stage.reaches('resting')
+  expect(await mostAtOnce()).toBe(1)
 })
 
 test('who plays with the pile does not hold back the chips to come', async ({ stage, page }) => {
+  await letClockBePutForward(page)
   await page.addInitScript(() => {
-    const now = performance.now.bind(performance)
-    window.passed = 0
-    performance.now = () => now() + window.passed
     const set = window.setTimeout
     window.waits = []
     window.setTimeout = ((work: () => void, ms?: number) => {
@@ -108,6 +139,28 @@ test('who plays with the pile does not hold back the chips to come', async ({ st
   // ms that the second was still to wait when the first lay still, before and after the tap.
   const [before, after] = await page.evaluate(() => window.waits.slice(-2))
   expect(before - after).toBeGreaterThan(20_000)
+})
+
+test('a chip that loses its size in a hand has left it, and falls anew when it has one again', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 0, -100)
+  const show = (display: string) =>
+    chip.evaluate((wrapper, display) => {
+      ;(wrapper.firstElementChild as HTMLElement).style.display = display
+    }, display)
+  await show('none')
+  await expect(chip).toHaveAttribute('data-state', 'waiting')
+  await page.mouse.move(300, 60, { steps: 3 })
+  await page.mouse.up()
+  await expect(chip).toHaveAttribute('data-state', 'waiting')
+  await show('')
+  await expect(chip).toHaveAttribute('data-state', 'resting')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
 })
 
 test('a chip whose release was lost to something else is let go when the pointer comes back', async ({

@@ -4024,7 +4024,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   }
 
   function enqueue(chip: Chip) {
-    catchUp()
     chip.turn = turns++
     schedule(chip)
   }

@@ -408,7 +408,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   }
 
   function enqueue(chip: Chip) {
-    catchUp()
     chip.turn = turns++
     schedule(chip)
   }
