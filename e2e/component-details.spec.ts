@@ -1,22 +1,12 @@
-import type { Locator, Page } from '@playwright/test'
+import type { Locator } from '@playwright/test'
 import { expect, test } from './fixtures/stage'
+import { keepWaits, letTimePass } from './fixtures/time'
 
 const scaleOf = (chip: Locator) =>
   chip.evaluate((element) => {
     const m = new DOMMatrix(getComputedStyle(element).transform)
     return Math.hypot(m.a, m.b)
   })
-
-/** Keeps in `window.waits` how long, in ms, timers of more than `least` were asked to wait. */
-const keepWaits = (page: Page, least: number) =>
-  page.addInitScript((least) => {
-    Object.assign(window, { waits: [] })
-    const set = window.setTimeout
-    window.setTimeout = ((work: () => void, ms?: number) => {
-      if (ms && ms > least) window.waits.push(ms)
-      return set(work, ms)
-    }) as typeof setTimeout
-  }, least)
 
 test('clicks that miss a chip, as when it has hopped away, select no words of the page', async ({
   stage,
@@ -231,6 +221,18 @@ test('chips that come seconds apart come one at a time', async ({ stage }) => {
   expect(fell[2] - fell[1]).toBeGreaterThan(2000)
 })
 
+test('a stage that goes just as a finger comes down on it leaves no timer behind', async ({ stage }) => {
+  await stage.settled('mounts')
+  await stage.chips.first().evaluate((chip) => {
+    const { x, y, width, height } = chip.getBoundingClientRect()
+    const at = { clientX: x + width / 2, clientY: y + height / 2 }
+    chip.dispatchEvent(new PointerEvent('pointerdown', { ...at, pointerType: 'touch', bubbles: true }))
+    document.querySelector<HTMLElement>('#toggle')!.click()
+  })
+  await stage.isGone()
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+})
+
 test('a stage that was scaled to nothing and goes leaves no timer behind', async ({ stage, page }) => {
   await stage.settled('mounts')
   const toggle = () => page.locator('#toggle').evaluate((button: HTMLElement) => button.click())
@@ -248,11 +250,7 @@ test('a stage that was scaled to nothing and goes leaves no timer behind', async
 })
 
 test('who goes to a chip by the keyboard does not hold back the chips to come', async ({ stage, page }) => {
-  await page.addInitScript(() => {
-    const now = performance.now.bind(performance)
-    Object.assign(window, { passed: 0 })
-    performance.now = () => now() + window.passed
-  })
+  await letTimePass(page)
   await keepWaits(page, 5000)
   await stage.open('controls', { stagger: 60_000 })
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')

@@ -1,14 +1,6 @@
 import type { Page } from '@playwright/test'
 import { expect, test } from './fixtures/stage'
-
-declare global {
-  interface Window {
-    /** ms that the clock is put forward. */
-    passed: number
-    /** ms of the timers that take long. */
-    waits: number[]
-  }
-}
+import { keepWaits, letTimePass } from './fixtures/time'
 
 test('a stage hidden with its pile shows the same pile again, and has not settled anew', async ({
   stage,
@@ -78,14 +70,6 @@ async function countReleases(page: Page) {
     Math.max(...(await page.evaluate(() => (window as unknown as { together: number[] }).together)))
 }
 
-function letClockBePutForward(page: Page) {
-  return page.addInitScript(() => {
-    const now = performance.now.bind(performance)
-    window.passed = 0
-    performance.now = () => now() + window.passed
-  })
-}
-
 test('a new stagger holds for chips that wait already: they come one by one', async ({ stage, page }) => {
   const mostAtOnce = await countReleases(page)
   await stage.open('extras', { stagger: 60000 })
@@ -101,7 +85,7 @@ test('chips to come still come one by one when one is tapped after the computer 
   stage,
   page,
 }) => {
-  await letClockBePutForward(page)
+  await letTimePass(page)
   const mostAtOnce = await countReleases(page)
   await stage.open('pile', { chips: 4, stagger: 2500 })
   const first = stage.chips.first()
@@ -116,15 +100,8 @@ test('chips to come still come one by one when one is tapped after the computer 
 })
 
 test('who plays with the pile does not hold back the chips to come', async ({ stage, page }) => {
-  await letClockBePutForward(page)
-  await page.addInitScript(() => {
-    const set = window.setTimeout
-    window.waits = []
-    window.setTimeout = ((work: () => void, ms?: number) => {
-      if (ms && ms > 5000) window.waits.push(ms)
-      return set(work, ms)
-    }) as typeof setTimeout
-  })
+  await letTimePass(page)
+  await keepWaits(page, 5000)
   await stage.open('pile', { chips: 2, stagger: 60000 })
   const [first, second] = [stage.chips.nth(0), stage.chips.nth(1)]
   await expect(first).toHaveAttribute('data-state', 'resting')
