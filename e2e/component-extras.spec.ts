@@ -119,6 +119,21 @@ test('pause() freezes the chips in the air, resume() lets them go on', async ({ 
   await stage.reaches('resting')
 })
 
+test('a tap on a chip of a paused pile is no tap, and moves nothing when the pile goes on', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('extras')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  const { x, y } = await stage.centre(stage.chips.nth(0))
+  await page.mouse.click(x, y)
+  const before = await stage.probe((probe) => probe.states.length)
+  await page.locator('#resume').click()
+  await stage.reaches('resting')
+  expect(await stage.probe((probe) => probe.states)).toHaveLength(before + 1)
+})
+
 test('paused while it has no height, a stage drops its chips when it has one and goes on', async ({
   stage,
   page,
