@@ -38,6 +38,21 @@ const row = { apart: true, inside: true, upright: true, shown: true, gap: 16, he
 const begun = (stage: StagePage) =>
   expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
 
+/** The stage with a sheet of its own behind its chips; how many chips that sheet covers. */
+async function covered(stage: StagePage, page: Page) {
+  await page.addStyleTag({
+    content:
+      '[data-slot=gravity-stack]::before { content: ""; position: absolute; inset: 0; background: #ddd }',
+  })
+  return stage.chips.evaluateAll(
+    (all) =>
+      all.filter((chip) => {
+        const { x, y, width, height } = chip.getBoundingClientRect()
+        return !chip.contains(document.elementFromPoint(x + width / 2, y + height / 2))
+      }).length,
+  )
+}
+
 test.describe('with reduced motion', () => {
   test.use({ contextOptions: { reducedMotion: 'reduce' } })
 
@@ -156,21 +171,6 @@ test.describe('with reduced motion', () => {
     ).toEqual([])
   })
 })
-
-/** The stage with a sheet of its own behind its chips; how many chips that sheet covers. */
-async function covered(stage: StagePage, page: Page) {
-  await page.addStyleTag({
-    content:
-      '[data-slot=gravity-stack]::before { content: ""; position: absolute; inset: 0; background: #ddd }',
-  })
-  return stage.chips.evaluateAll(
-    (all) =>
-      all.filter((chip) => {
-        const { x, y, width, height } = chip.getBoundingClientRect()
-        return !chip.contains(document.elementFromPoint(x + width / 2, y + height / 2))
-      }).length,
-  )
-}
 
 test('what decorates a stage lies behind the chips, in the pile and on paper', async ({ stage, page }) => {
   await stage.open('pile')
