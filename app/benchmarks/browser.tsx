@@ -55,7 +55,7 @@ const rows: Row[] = [
     value: (result) => dropOf(result, most, 1)!.rate.toFixed(0),
   },
   {
-    name: 'The same drop recorded and played again, without physics',
+    name: 'Frames a second of the same drop, recorded and played again without physics',
     value: ({ replay }) => replay?.toFixed(0) ?? '–',
   },
   {
