@@ -60,14 +60,17 @@ test('what pointers do elsewhere on the page is heard only while one is down on 
 
 test('a chip is drawn again only when one of its corners has gone a tenth of a pixel', async ({ stage }) => {
   await stage.settled('pile', { chips: 40, shape: 'all' })
-  const { writes, smallest } = await stage.probe((probe) => ({
+  const { writes, smallest, shift } = await stage.probe((probe) => ({
     writes: probe.styleWrites,
     smallest: probe.smallestMove,
+    shift: probe.smallestShift,
   }))
   expect(writes).toBeGreaterThan(500)
   expect(smallest).toBeGreaterThanOrEqual(0.1)
   // And no later than that: what creeps would be seen to jerk.
   expect(smallest).toBeLessThan(0.15)
+  // Also where it only turns.
+  expect(shift).toBeLessThan(0.05)
 })
 
 test('a frame writes each moved chip once, its transform alone, reads no layout and wakes no observer', async ({

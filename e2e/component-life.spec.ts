@@ -20,6 +20,27 @@ test('out of view the stage pauses, and goes on where it was', async ({ stage, p
   expect(released).toEqual([...Array(40).keys()])
 })
 
+test('a stage that folds up in mid-fall pauses, and goes on where it was once it opens', async ({
+  stage,
+}) => {
+  await stage.open('pile', { chips: 12 })
+  await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')
+  // Without a height it still counts as in view.
+  await stage.root.evaluate((root) => {
+    root.style.height = '0'
+  })
+  await stage.reaches('paused')
+  expect(await stage.during('frames')).toBe(0)
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+  await stage.root.evaluate((root) => {
+    root.style.height = ''
+  })
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  const released = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
+  expect(released).toEqual([...Array(12).keys()])
+})
+
 const layers = (chips: import('@playwright/test').Locator) =>
   chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).willChange))
 
