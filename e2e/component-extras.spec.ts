@@ -27,9 +27,16 @@ test('onSettle is called once each time the pile comes to rest, and for nothing 
   await expect(page.locator('#settled')).toHaveText('2')
 })
 
-test('drop() lets all chips fall anew, into the same pile', async ({ stage, page }) => {
+test('drop() lets all chips fall anew, into the same pile, and none in front that had come there', async ({
+  stage,
+  page,
+}) => {
   await stage.settled('extras')
   const { poses } = await stage.pile()
+  const order = () => stage.chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).zIndex))
+  const before = await order()
+  await stage.hop(stage.chips.first())
+  expect(await order()).not.toEqual(before)
   await stage.probe((probe) => probe.releases.splice(0))
   await page.locator('#drop').click()
   await stage.reaches('running')
@@ -39,6 +46,20 @@ test('drop() lets all chips fall anew, into the same pile', async ({ stage, page
   for (const [i, { x, y }] of (await stage.pile()).poses.entries()) {
     expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(0.3)
   }
+  expect(await order()).toEqual(before)
+})
+
+test('drop() leaves the chip that has the focus in front', async ({ stage }) => {
+  await stage.settled('extras')
+  const front = () => stage.chips.first().evaluate((chip) => getComputedStyle(chip).zIndex)
+  await stage.chips.first().evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.tabIndex = 0
+    face.focus()
+    document.querySelector<HTMLElement>('#drop')?.click()
+  })
+  await stage.reaches('running')
+  expect(await front()).toBe('1')
 })
 
 test('after drop() each chip waits out of sight for its turn', async ({ stage }) => {

@@ -4153,8 +4153,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       if (chip.element.matches(':focus-within')) chip.element.scrollIntoView({ block: 'nearest' })
     }
     chip.element.setAttribute('data-state', next)
-    // It waits out of sight, where its class puts it.
-    if (next === 'waiting') chip.element.style.transform = ''
+    if (next !== 'waiting') return
+    // It waits out of sight, where its class puts it, and comes back no nearer to the front than the rest, unless it has the focus.
+    chip.element.style.transform = ''
+    if (!chip.element.matches(':focus-within')) chip.element.style.zIndex = ''
   }
 
   /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
