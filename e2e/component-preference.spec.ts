@@ -164,6 +164,22 @@ test.describe('with reduced motion', () => {
     expect(await stage.overlap()).toBeLessThan(1)
   })
 
+  test('who goes by the keyboard to a chip in view scrolls nothing, however tall the stage', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('controls', { above: 100 })
+    await stage.root.evaluate((root) => {
+      root.style.cssText = 'height: 1500px; align-content: start'
+    })
+    await page.evaluate(() => window.probe.pass(10))
+    await page.getByText('before').focus()
+    await page.keyboard.press('Tab')
+    await expect(page.getByText('Read the docs')).toBeFocused()
+    await page.evaluate(() => window.probe.pass(10))
+    expect(await page.evaluate(() => scrollY)).toBe(0)
+  })
+
   test('axe finds nothing', async ({ stage, page }) => {
     await stage.open('controls')
     expect(
