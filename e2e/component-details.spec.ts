@@ -118,6 +118,19 @@ test('a chip falls when the first button goes up, though another is still down',
   await stage.reaches('resting')
 })
 
+test('a chip whose release nobody heard falls when the same pointer presses another', async ({ stage }) => {
+  await stage.settled('pile', { chips: 3 })
+  const press = (n: number) =>
+    stage.chips.nth(n).evaluate((chip) => {
+      const { x, y, width, height } = chip.getBoundingClientRect()
+      const at = { clientX: x + width / 2, clientY: y + height / 2 }
+      chip.dispatchEvent(new PointerEvent('pointerdown', { ...at, pointerId: 1, bubbles: true }))
+    })
+  await press(0)
+  await press(1)
+  expect(await stage.states()).toEqual(['falling', 'held', 'resting'])
+})
+
 test('a stage whose `interactive` changes before anyone has seen it drops as ever', async ({
   stage,
   page,

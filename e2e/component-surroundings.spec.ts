@@ -261,11 +261,16 @@ for (const [kind, larger] of [
   })
 }
 
-test('a stage much higher than the frame that it stands in drops', async ({ page }) => {
-  await page.goto('/surroundings?kind=framed')
-  const root = page.frameLocator('iframe').locator('[data-slot=gravity-stack]')
-  await expect(root).toHaveAttribute('data-state', 'running')
-})
+for (const [kind, larger] of [
+  ['framed', 'higher'],
+  ['framed wide', 'wider'],
+]) {
+  test(`a stage much ${larger} than the frame that it stands in drops`, async ({ page }) => {
+    await page.goto(`/surroundings?kind=${kind}`)
+    const root = page.frameLocator('iframe').locator('[data-slot=gravity-stack]')
+    await expect(root).toHaveAttribute('data-state', 'running')
+  })
+}
 
 test('a stage of which a tenth is in view waits, though the body that clips it has no height', async ({
   stage,
