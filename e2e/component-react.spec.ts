@@ -83,6 +83,20 @@ test.describe('in an Activity that is hidden and shown again', () => {
     expect(await stage.overlap()).toBeLessThan(1)
   })
 
+  test('walls that move later push the pile aside as ever', async ({ stage, page }) => {
+    await stage.settled('surroundings', { kind: 'hidden' })
+    await hide(stage, page)
+    await page.locator('#next').click()
+    await stage.reaches('resting')
+    await stage.root.evaluate((root) => {
+      root.style.width = '260px'
+    })
+    await stage.reaches('running')
+    await stage.reaches('resting')
+    expect(await stage.outside()).toBeLessThan(1)
+    expect(await stage.overlap()).toBeLessThan(1)
+  })
+
   test('a paused pile is still there, and still paused', async ({ stage, page }) => {
     await stage.settled('surroundings', { kind: 'hidden' })
     await page.locator('#pause').click()
