@@ -114,6 +114,15 @@ test('children of any kind make chips, or none, that fall and rest; those beside
   expect(await stage.probe((probe) => probe.warnings)).toEqual([])
 })
 
+test('a margin of a chip is no part of what collides', async ({ stage }) => {
+  await stage.settled('inputs', { children: 'margin' })
+  const sizes = await stage.chip('margin').evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    return [chip.clientWidth - face.offsetWidth, chip.clientHeight - face.offsetHeight]
+  })
+  expect(sizes).toEqual([0, 0])
+})
+
 for (const react of ['18', '19']) {
   test(`React ${react} asks for the keys of a list of chips that has none, and for no others`, async ({
     stage,

@@ -119,6 +119,19 @@ test.describe('with reduced motion', () => {
     expect(shown.height).toBeGreaterThan(340)
   })
 
+  test('a chip wider than its stage is seen whole', async ({ stage }) => {
+    await stage.open('inputs', { children: 'wide' })
+    const seen = await stage.chip('wide').evaluate((chip) => {
+      const { x, y, width, height } = chip.firstElementChild!.getBoundingClientRect()
+      return chip.contains(document.elementFromPoint(x + width - 1, y + height / 2))
+    })
+    expect(seen).toBe(true)
+    const { width } = (await stage.root.boundingBox())!
+    expect(await stage.chip('wide').evaluate((chip) => chip.firstElementChild!.clientWidth)).toBeGreaterThan(
+      width,
+    )
+  })
+
   test('the markup is the server’s, and hydration has nothing to say', async ({ stage, page, request }) => {
     await stage.open('pile')
     await begun(stage)
