@@ -3,21 +3,16 @@ import type { Page } from '@playwright/test'
 import { withhold } from './alive'
 import { expect, type StagePage, test } from './fixtures/stage'
 
-/** Every chip upright, unmoved, inside the stage, none over another, all above the bottom padding. */
+/** Every chip upright, unmoved, inside the stage; px between the two that are nearest, and below the lowest. */
 async function readable(page: Page) {
   return page.locator('[data-slot=gravity-stack]').evaluate((root) => {
     const stage = root.getBoundingClientRect()
     const chips = [...root.querySelectorAll('[data-slot=gravity-stack-chip]')]
     const boxes = chips.map((chip) => chip.getBoundingClientRect())
-    const apart = boxes.every((a, i) =>
-      boxes.every(
-        (b, j) =>
-          i === j ||
-          a.right <= b.left + 0.5 ||
-          b.right <= a.left + 0.5 ||
-          a.bottom <= b.top + 0.5 ||
-          b.bottom <= a.top + 0.5,
-      ),
+    const between = boxes.flatMap((a, i) =>
+      boxes
+        .slice(0, i)
+        .map((b) => Math.max(b.left - a.right, a.left - b.right, b.top - a.bottom, a.top - b.bottom)),
     )
     const inside = boxes.every(
       (box) =>
@@ -29,10 +24,17 @@ async function readable(page: Page) {
     const upright = chips.every((chip) => getComputedStyle(chip).transform === 'none')
     const shown = chips.every((chip) => getComputedStyle(chip).opacity === '1')
     const lowest = Math.max(...boxes.map((box) => box.bottom))
-    return { apart, inside, upright, shown, gap: Math.round(stage.bottom - lowest), height: stage.height }
+    return {
+      between: Math.round(Math.min(...between)),
+      inside,
+      upright,
+      shown,
+      below: Math.round(stage.bottom - lowest),
+      height: stage.height,
+    }
   })
 }
-const row = { apart: true, inside: true, upright: true, shown: true, gap: 16, height: 340 }
+const row = { between: 8, inside: true, upright: true, shown: true, below: 16, height: 340 }
 
 /** Waits until React has the page and the stage has begun. */
 const begun = (stage: StagePage) =>
