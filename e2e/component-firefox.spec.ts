@@ -3,7 +3,7 @@ import { type Browser, launch, type Page } from 'puppeteer-core'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readPile } from './fixtures/stage'
+import { growth, readOutside, readPile } from './fixtures/stage'
 
 // A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign, and gets no page.
 
@@ -74,6 +74,14 @@ if (executablePath) {
     await reaches(page, 'resting')
     expect(await overlap(page)).toBeLessThan(1)
     expect(await page.evaluate(growth)).toBe(0)
+  })
+
+  test('in Firefox what reaches out of a full stage is cut off', async ({ firefox: page, baseURL }) => {
+    await page.goto(`${baseURL}/pile?chips=60&stagger=20&above=200&box=h-40%20w-64`)
+    await reaches(page, 'resting')
+    const { chips, pressed } = await page.$eval(STAGE, readOutside)
+    expect(chips).toBeGreaterThan(3)
+    expect(pressed).toBe(0)
   })
 
   test('in Firefox a drag on a link does not follow it; the key after a drag that no click follows does', async ({

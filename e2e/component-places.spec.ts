@@ -1,4 +1,4 @@
-import { expect, StagePage, test } from './fixtures/stage'
+import { expect, readOutside, StagePage, test } from './fixtures/stage'
 
 const kinds = [
   'plain',
@@ -118,6 +118,17 @@ for (const kind of ['zero', 'hidden']) {
     expect(await stage.outside()).toBeLessThan(1)
   })
 }
+
+test('what of a pile reaches out of its stage is cut off, takes no press there and makes nothing to scroll', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 60, above: 200, box: 'h-40 w-64' })
+  const { chips, pressed } = await stage.root.evaluate(readOutside)
+  expect(chips).toBeGreaterThan(3)
+  expect(pressed).toBe(0)
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(page.viewportSize()!.width)
+})
 
 test('ten stages on a page share one frame loop', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 1000 })

@@ -7,7 +7,7 @@ import { test as base, expect } from '@playwright/test'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readPile } from './fixtures/stage'
+import { growth, readOutside, readPile } from './fixtures/stage'
 import { freePort } from './free-port'
 
 // Safari's engine in WebKitGTK's small browser, by its own WebDriver: Playwright's WebKit is a build of its own.
@@ -140,6 +140,14 @@ if (command) {
     await page.reaches('resting')
     expect(await page.overlap()).toBeLessThan(1)
     expect(await page.evaluate(growth)).toBe(0)
+  })
+
+  test('in WebKit what reaches out of a full stage is cut off', async ({ webkit: page, baseURL }) => {
+    await page.open(`${baseURL}/pile?chips=60&stagger=20&above=200&box=h-40%20w-64`)
+    await page.reaches('resting')
+    const { chips, pressed } = await page.$eval(STAGE, readOutside)
+    expect(chips).toBeGreaterThan(3)
+    expect(pressed).toBe(0)
   })
 
   test('in WebKit a chip of a stage in CSS columns hangs where it is held', async ({

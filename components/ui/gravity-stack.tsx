@@ -4719,7 +4719,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 w-full break-inside-avoid select-none flex-wrap content-end items-end justify-center gap-2 overflow-clip contain-content',
+        'group/stack relative isolate flex h-80 w-full break-inside-avoid select-none flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
         className,
