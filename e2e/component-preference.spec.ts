@@ -121,6 +121,18 @@ test.describe('with reduced motion', () => {
     expect(shown.height).toBeGreaterThan(340)
   })
 
+  test('chips of different heights stand on one line', async ({ stage }) => {
+    await stage.open('pile', { chips: 4, shape: 'all' })
+    const boxes = await stage.chips.evaluateAll((all) =>
+      all.map((chip) => {
+        const { height, bottom } = chip.getBoundingClientRect()
+        return { height, bottom }
+      }),
+    )
+    expect(new Set(boxes.map(({ height }) => height)).size).toBeGreaterThan(1)
+    expect(new Set(boxes.map(({ bottom }) => bottom)).size).toBe(1)
+  })
+
   test('a chip wider than its stage is seen whole', async ({ stage }) => {
     await stage.open('inputs', { children: 'wide' })
     const seen = await stage.chip('wide').evaluate((chip) => {
