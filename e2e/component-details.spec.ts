@@ -34,8 +34,8 @@ test('words too long for a stage of fractional width lie still in it, not wedged
   const width = () => stage.chips.first().evaluate((chip) => Number.parseFloat(getComputedStyle(chip).width))
   await expect.poll(width).toBeGreaterThan(340)
   expect(await width()).toBeLessThan(343)
-  // A busy page tells its stage of new sizes some frames later.
-  await stage.reaches('running')
+  // Its stage hears of it with the next frame.
+  await stage.probe((probe) => probe.pass(3))
   await stage.reaches('resting')
   expect(await stage.outside()).toBeLessThan(0.05)
   // Two chips that lean are each drawn to a tenth of a pixel: how exactly they lie apart is asked of the world.

@@ -91,7 +91,7 @@ test.describe('in an Activity that is hidden and shown again', () => {
     await stage.root.evaluate((root) => {
       root.style.width = '260px'
     })
-    await stage.reaches('running')
+    await stage.probe((probe) => probe.pass(3))
     await stage.reaches('resting')
     expect(await stage.outside()).toBeLessThan(1)
     expect(await stage.overlap()).toBeLessThan(1)
