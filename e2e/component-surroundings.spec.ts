@@ -565,6 +565,20 @@ test('a pill that begins with words and styles nobody sees falls as the pill it 
   expect(Math.max(...off)).toBeLessThan(0.25)
 })
 
+test('a stage that is hidden when its last chip goes is not told that the others are too large for it', async ({
+  stage,
+}) => {
+  await stage.open('pile', { chips: 2, stagger: 60000 })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  await stage.root.evaluate((root) => {
+    root.style.display = 'none'
+  })
+  await stage.reaches('paused')
+  await stage.chips.nth(1).evaluate((chip) => chip.remove())
+  await stage.reaches('resting')
+  expect(await stage.probe((probe) => probe.warnings)).toEqual([])
+})
+
 test('a stage that opens by and by is not told that its chips are too large for it', async ({
   stage,
   page,
