@@ -62,6 +62,34 @@ test('drop() leaves the chip that has the focus in front', async ({ stage }) => 
   expect(await front()).toBe('1')
 })
 
+test('a tapped chip hops, though its own handler keeps the click to itself', async ({ stage }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.first()
+  await chip.evaluate((element) => {
+    element.firstElementChild!.addEventListener('click', (event) => event.stopPropagation())
+  })
+  expect(await stage.hop(chip)).toBeGreaterThan(5)
+})
+
+test('in a paused stage the focus moves no chip that can be seen in the air', async ({ stage, page }) => {
+  await stage.open('extras')
+  await expect
+    .poll(async () => {
+      const { poses } = await stage.pile()
+      return poses[0].y
+    })
+    .toBeGreaterThan(40)
+  await page.locator('#pause').evaluate((button: HTMLElement) => button.click())
+  await stage.reaches('paused')
+  const { poses } = await stage.pile()
+  await stage.chips.first().evaluate((chip) => {
+    const face = chip.firstElementChild as HTMLElement
+    face.tabIndex = 0
+    face.focus()
+  })
+  expect((await stage.pile()).poses[0]).toEqual(poses[0])
+})
+
 test('after drop() each chip waits out of sight for its turn', async ({ stage }) => {
   await stage.settled('extras')
   // In the page itself: on a busy machine all have been let go before an answer is back.

@@ -1,4 +1,5 @@
 import type { Page } from '@playwright/test'
+import { hideTab } from './fixtures/hide-tab'
 import { expect, test } from './fixtures/stage'
 import { keepWaits, letTimePass } from './fixtures/time'
 
@@ -97,6 +98,21 @@ test('chips to come still come one by one when one is tapped after the computer 
   await page.mouse.click(x, y)
   await stage.reaches('resting')
   expect(await mostAtOnce()).toBe(1)
+})
+
+test('no time passes for the chips to come while the tab is hidden', async ({ stage, page }) => {
+  await letTimePass(page)
+  await keepWaits(page, 5000)
+  await stage.open('pile', { chips: 2, stagger: 60000 })
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  await page.evaluate(hideTab, true)
+  await stage.reaches('paused')
+  await page.evaluate(() => {
+    window.passed = 20_000
+  })
+  await page.evaluate(hideTab, false)
+  await stage.reaches('running')
+  expect(await page.evaluate(() => window.waits.at(-1))).toBeGreaterThan(45_000)
 })
 
 test('who plays with the pile does not hold back the chips to come', async ({ stage, page }) => {
