@@ -49,15 +49,18 @@ test('drop() lets all chips fall anew, into the same pile, and none in front tha
   expect(await order()).toEqual(before)
 })
 
-test('drop() leaves the chip that has the focus in front', async ({ stage }) => {
+/** Gives the focus to what a chip shows. Runs in the page. */
+function goTo(chip: Element) {
+  const face = chip.firstElementChild as HTMLElement
+  face.tabIndex = 0
+  face.focus()
+}
+
+test('drop() leaves the chip that has the focus in front', async ({ stage, page }) => {
   await stage.settled('extras')
   const front = () => stage.chips.first().evaluate((chip) => getComputedStyle(chip).zIndex)
-  await stage.chips.first().evaluate((chip) => {
-    const face = chip.firstElementChild as HTMLElement
-    face.tabIndex = 0
-    face.focus()
-    document.querySelector<HTMLElement>('#drop')?.click()
-  })
+  await stage.chips.first().evaluate(goTo)
+  await page.locator('#drop').evaluate((button: HTMLElement) => button.click())
   await stage.reaches('running')
   expect(await front()).toBe('1')
 })
@@ -82,11 +85,7 @@ test('in a paused stage the focus moves no chip that can be seen in the air', as
   await page.locator('#pause').evaluate((button: HTMLElement) => button.click())
   await stage.reaches('paused')
   const { poses } = await stage.pile()
-  await stage.chips.first().evaluate((chip) => {
-    const face = chip.firstElementChild as HTMLElement
-    face.tabIndex = 0
-    face.focus()
-  })
+  await stage.chips.first().evaluate(goTo)
   expect((await stage.pile()).poses[0]).toEqual(poses[0])
 })
 
