@@ -119,15 +119,11 @@ for (const kind of ['zero', 'hidden']) {
   })
 }
 
-test('what of a pile reaches out of its stage is cut off, takes no press there and makes nothing to scroll', async ({
-  stage,
-  page,
-}) => {
+test('what of a pile reaches out of its stage is cut off, and takes no press there', async ({ stage }) => {
   await stage.settled('pile', { chips: 60, above: 200, box: 'h-40 w-64' })
   const { chips, pressed } = await stage.root.evaluate(readOutside)
   expect(chips).toBeGreaterThan(3)
   expect(pressed).toBe(0)
-  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(page.viewportSize()!.width)
 })
 
 test('ten stages on a page share one frame loop', async ({ stage, page }) => {
