@@ -37,7 +37,7 @@ export function CopyButton({
         await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
       } else {
         const code = Array.from(button.closest('.code')!.querySelectorAll('pre'))
-        const shown = code.find((pre) => pre.checkVisibility({ visibilityProperty: true }))
+        const shown = code.find((pre) => pre.checkVisibility())
         await navigator.clipboard.writeText(shown!.textContent)
       }
       setState('copied')

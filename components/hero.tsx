@@ -2,7 +2,7 @@
 
 import { type ReactNode, useRef, useState } from 'react'
 import { classes } from '@/lib/classes'
-import { type HeroAction, heroActions, heroCode } from '@/lib/hero-code'
+import { extremes, type HeroAction, heroActions, heroCode } from '@/lib/hero-code'
 import { tints } from '@/lib/tints'
 import { CopyButton } from './copy-button'
 import { LiveCode } from './live-code'
@@ -47,8 +47,6 @@ export function Hero({ children }: { children: ReactNode }) {
     actions.current?.[action]()
     setPaused(action === 'pause')
   }
-  // The new gravity or bounce reaches the stage with the next render.
-  const drop = () => requestAnimationFrame(() => perform('drop'))
 
   const settings: { label: string; pressed: boolean; set: () => void }[] = [
     { label: 'Tinted', pressed: !neutral, set: () => setNeutral(false) },
@@ -58,7 +56,7 @@ export function Hero({ children }: { children: ReactNode }) {
       pressed: heavier,
       set() {
         setHeavier(!heavier)
-        drop()
+        perform('drop')
       },
     },
     {
@@ -66,7 +64,7 @@ export function Hero({ children }: { children: ReactNode }) {
       pressed: bouncier,
       set() {
         setBouncier(!bouncier)
-        drop()
+        perform('drop')
       },
     },
   ]
@@ -78,8 +76,8 @@ export function Hero({ children }: { children: ReactNode }) {
         {/* In front of the words: a chip that falls past covers them for a moment, and never stands behind them. */}
         <GravityStack
           actionsRef={actions}
-          gravity={heavier ? 6000 : undefined}
-          bounce={bouncier ? 0.7 : undefined}
+          gravity={heavier ? extremes.gravity : undefined}
+          bounce={bouncier ? extremes.bounce : undefined}
           stagger={90}
           className="pointer-events-none absolute inset-0 h-full *:pointer-events-auto"
         >

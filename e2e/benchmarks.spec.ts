@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs'
 import { test as early, expect } from '@playwright/test'
 import type { Results } from '../bench/report'
 import { figure } from '../lib/figure'
-import { test, withhold } from './alive'
+import { test, withhold } from './page'
 
 test.describe('benchmarks', () => {
   test('every plot has its figures as a table', async ({ page }) => {
@@ -128,6 +128,9 @@ test.describe('benchmarks', () => {
     const marks = (engine: string) => page.locator(`figure svg [data-engine=${engine}]`).first()
     await expect(marks('gravity-stack')).toHaveCSS('opacity', '1')
     await expect(marks('rapier')).toHaveCSS('opacity', '0.12')
+    const inFront = page.locator('figure svg [data-engine]:last-of-type')
+    for (const engine of await inFront.all())
+      await expect(engine).toHaveAttribute('data-engine', 'gravity-stack')
     // Without their colours: outline, and whether it is filled.
     const shapes = await legend
       .locator('svg path')
@@ -224,6 +227,25 @@ early('figures that are opened before the script is there come with it', async (
   await expect(figure.getByRole('row').nth(3)).toBeVisible()
 })
 
+test('figures that could not be fetched are asked for again with the next table', async ({ page }) => {
+  await page.goto('/benchmarks')
+  const opened = page.locator('figure details')
+  await page.route('**/figures.json', (route) => route.fulfill({ status: 503, body: '' }))
+  await opened.nth(0).locator('summary').click()
+  await expect(opened.nth(0).getByRole('alert')).toContainText('could not be fetched')
+  await page.unroute('**/figures.json')
+  await opened.nth(1).locator('summary').click()
+  await expect(opened.nth(1).getByRole('row').nth(3)).toBeVisible()
+  await expect(opened.nth(1).getByText('(frontier)').first()).toBeVisible()
+})
+
+test('each table of figures says of which plot it is before it is opened', async ({ page }) => {
+  await page.goto('/benchmarks')
+  const names = await page.locator('figure summary').allTextContents()
+  expect(names.length).toBeGreaterThan(20)
+  expect(new Set(names).size).toBe(names.length)
+})
+
 test('goals missed in a browser are said to be missed, and no others', async ({ page }) => {
   await page.goto('/benchmarks')
   const table = page.getByRole('region', { name: 'In a browser' })
@@ -254,6 +276,25 @@ test('the tables of costs and bytes have the figures of the raw data', async ({ 
   )
   await expect(page.getByRole('region', { name: 'Sixty pills, all properties' })).toContainText('not in 6 s')
   await expect(page.locator('figure svg path[stroke-dasharray]')).not.toHaveCount(0)
+})
+
+test('errors that are rounding stand on the lowest line, which says so', async ({ page }) => {
+  await page.goto('/benchmarks')
+  const exact = page.locator('figure svg', { has: page.getByText(/^≤ /) })
+  expect(await exact.count()).toBeGreaterThan(5)
+  const outside = await exact.evaluateAll((plots) =>
+    plots.flatMap((plot) => {
+      const words = [...plot.querySelectorAll('text')].find(({ textContent }) =>
+        textContent!.startsWith('≤'),
+      )!
+      const marks = [...plot.querySelectorAll('[data-engine] path')].flatMap((path) =>
+        [...path.getAttribute('d')!.matchAll(/ ([\d.]+)/g)].map(([, y]) => Number(y)),
+      )
+      // The words stand a little below their line.
+      return marks.filter((y) => y > Number(words.getAttribute('y')))
+    }),
+  )
+  expect(outside).toEqual([])
 })
 
 test('marks stand where the axes say, dearer to the top and more chips to the right', async ({ page }) => {

@@ -1,7 +1,7 @@
 import AxeBuilder from '@axe-core/playwright'
 import type { Page } from '@playwright/test'
-import { withhold } from './alive'
 import { expect, type StagePage, test } from './fixtures/stage'
+import { withhold } from './page'
 
 /** Every chip upright, unmoved, inside the stage; px between the two that are nearest, and below the lowest. */
 async function readable(page: Page) {

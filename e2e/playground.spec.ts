@@ -1,5 +1,6 @@
 import { expect, type Page } from '@playwright/test'
-import { test } from './alive'
+import { TOUCH_HOLD } from '../registry/gravity-stack/constants'
+import { test } from './page'
 
 const stage = '[data-slot=playground-stage]'
 
@@ -23,6 +24,184 @@ const colours = (page: Page) =>
     return { ...count, islands: [...islands.values()].filter((pixels) => pixels > 800).length }
   })
 
+test('drops its chips, and all of them lie inside and still', async ({ page }) => {
+  await page.goto('/playground')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  // How far each hull reaches past wall or floor, px: a rotated element's own box has corners that a pill has not.
+  const outside = await page.locator(stage).evaluate((element) =>
+    [...element.querySelectorAll<HTMLElement>('[data-chip]')].map((chip) => {
+      const { a, b, e, f } = new DOMMatrix(getComputedStyle(chip).transform)
+      const [w, h] = [chip.offsetWidth / 2, chip.offsetHeight / 2]
+      const radius = Number.parseFloat(getComputedStyle(chip.firstElementChild!).borderTopLeftRadius)
+      const r = Math.min(radius, w, h)
+      const reachX = Math.abs(a) * (w - r) + Math.abs(b) * (h - r) + r
+      const reachY = Math.abs(b) * (w - r) + Math.abs(a) * (h - r) + r
+      return Math.max(
+        reachX - (e + w),
+        e + w + reachX - element.clientWidth,
+        f + h + reachY - element.clientHeight,
+      )
+    }),
+  )
+  expect(Math.max(...outside)).toBeLessThan(1)
+})
+
+test('the address holds the settings, and Reset clears it', async ({ page }) => {
+  await page.goto('/playground')
+  await page.getByLabel('Shape').selectOption('mixed')
+  await page.getByLabel('gravity').focus()
+  await page.keyboard.press('ArrowRight')
+  await expect(page).toHaveURL(/\?shape=mixed&gravity=2700$/)
+  await page.reload()
+  await expect(page.getByLabel('Shape')).toHaveValue('mixed')
+  await expect(page.getByText('<GravityStack gravity={2700} className="h-96">')).toBeVisible()
+  await page.getByRole('button', { name: 'Reset' }).click()
+  await expect(page).toHaveURL(/\/playground$/)
+  await expect(page.getByLabel('Shape')).toHaveValue('pills')
+})
+
+test('a browser that refuses a new address does no harm', async ({ page }) => {
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(error.message))
+  await page.clock.install({ time: 0 })
+  await page.clock.pauseAt(1000)
+  await page.goto('/playground')
+  await page.evaluate(() => {
+    Object.assign(window, { refused: 0 })
+    const { replaceState } = history
+    history.replaceState = (...args) => {
+      if (!String(args[2]).includes('gravity=')) return replaceState.apply(history, args)
+      Object.assign(window, { refused: (window as unknown as { refused: number }).refused + 1 })
+      throw new DOMException('too often', 'SecurityError')
+    }
+  })
+  // Twenty steps of a slider in one go are one address.
+  await page.getByLabel('gravity').evaluate((slider: HTMLInputElement) => {
+    for (let n = 0; n < 20; n++) {
+      slider.stepUp()
+      slider.dispatchEvent(new Event('input', { bubbles: true }))
+    }
+  })
+  await expect(page.getByLabel('gravity')).toHaveValue('4600')
+  const refused = () => page.evaluate(() => (window as unknown as { refused: number }).refused)
+  await page.clock.runFor(1000)
+  expect(await refused()).toBe(1)
+  await page.clock.runFor(10_000)
+  expect(await refused()).toBe(1)
+  expect(errors).toEqual([])
+})
+
+test('the overlay is drawn anew in the colours of another theme', async ({ page }) => {
+  await page.emulateMedia({ colorScheme: 'light' })
+  await page.goto('/playground?count=2')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Overlay' }).click()
+  const drawn = () =>
+    page.locator(`${stage} canvas`).evaluate((canvas: HTMLCanvasElement) => canvas.toDataURL())
+  const light = await drawn()
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await expect.poll(async () => (await drawn()) === light).toBe(false)
+  await page.emulateMedia({ colorScheme: 'light' })
+  await expect.poll(async () => (await drawn()) === light).toBe(true)
+})
+
+test('with reduced motion nothing falls before a press on Play, also after Reset', async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=3')
+  const words = page.getByText('Motion is off, as your system asks')
+  await expect(words).toBeVisible()
+  await page.getByRole('button', { name: 'Play' }).click()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await expect(words).toBeHidden()
+  await page.getByRole('button', { name: 'Reset' }).click()
+  await expect(words).toBeVisible()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'paused')
+  await expect(page.getByRole('button', { name: 'Play' })).toBeVisible()
+})
+
+test('an address that makes no sense does no harm', async ({ page }) => {
+  await page.goto('/playground?count=1e9&gravity=NaN&shape=star&words=%2C%2C&bounce=-3')
+  await expect(page.locator(`${stage} [data-chip]`)).toHaveCount(60)
+  await expect(page.getByLabel('bounce')).toHaveValue('0')
+  await expect(page.getByLabel('Shape')).toHaveValue('pills')
+})
+
+test('another seed makes another pile; the same seed the same', async ({ page }) => {
+  const pile = async (seed: number) => {
+    await page.goto(`/playground?count=8&seed=${seed}`)
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+    return page
+      .locator(`${stage} [data-chip]`)
+      .evaluateAll((chips) => chips.map((chip) => (chip as HTMLElement).style.transform))
+  }
+  const first = await pile(1)
+  expect(await pile(2)).not.toEqual(first)
+  expect(await pile(1)).toEqual(first)
+})
+
+test('paused, a press on Step moves the chips by one frame', async ({ page }) => {
+  // Nothing falls before the first press on Step.
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=1&stagger=0')
+  await expect(page.getByText('Motion is off')).toBeVisible()
+  const chip = page.locator(`${stage} [data-chip]`)
+  const height = () => chip.evaluate((element) => new DOMMatrix(getComputedStyle(element).transform).f)
+  const step = async () => {
+    await page.getByRole('button', { name: 'Step' }).click()
+    return height()
+  }
+  const waiting = await height()
+  // It is let go after a few frames.
+  await expect.poll(step, { intervals: [0] }).not.toBe(waiting)
+  const [first, second, third] = [await step(), await step(), await step()]
+  // Gravity makes the way of each frame longer by as much; the air takes a hundredth of a pixel of it.
+  expect(third - second - (second - first)).toBeCloseTo(2600 / 60 ** 2, 1)
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'paused')
+})
+
+test('a chip is dragged and tossed', async ({ page }) => {
+  await page.goto('/playground?count=1')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  const chip = page.locator(`${stage} [data-chip]`)
+  const from = (await chip.boundingBox())!
+  await page.mouse.move(from.x + 20, from.y + 10)
+  await page.mouse.down()
+  await page.mouse.move(from.x + 40, from.y - 120, { steps: 8 })
+  await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
+  const room = (await page.locator(stage).boundingBox())!
+  const way = from.x < room.x + room.width / 2 ? 1 : -1
+  // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing, and a busy
+  // machine's is.
+  const hand = await chip.evaluate(
+    async (element, { x, y, way }) => {
+      const start = performance.now()
+      const send = (type: string, ms: number) => {
+        const event = new PointerEvent(type, {
+          bubbles: true,
+          pointerId: 1,
+          pointerType: 'mouse',
+          buttons: type === 'pointermove' ? 1 : 0,
+          clientX: x + way * 0.5 * ms,
+          clientY: y,
+        })
+        Object.defineProperty(event, 'timeStamp', { value: start + ms })
+        element.dispatchEvent(event)
+      }
+      for (let ms = 0; ms < 300; ms += 1000 / 60) {
+        send('pointermove', ms)
+        await new Promise(requestAnimationFrame)
+      }
+      send('pointerup', 300)
+      return x + way * 150
+    },
+    { x: from.x + 40, y: from.y - 120, way },
+  )
+  const beyond = async () => way * ((await chip.boundingBox())!.x + 20 - hand)
+  await expect.poll(beyond).toBeGreaterThan(40)
+  await page.mouse.up()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+})
+
 test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their forces', async ({
   page,
 }) => {
@@ -43,6 +222,41 @@ test('the overlay tints islands while they move, greys what sleeps, and draws co
   expect(grey).toBeGreaterThan(12 * 800)
   // Two points and two lines at least under each box.
   expect(red).toBeGreaterThan(12 * 2 * 6)
+})
+
+test.describe('on a fine screen', () => {
+  test.use({ deviceScaleFactor: 2 })
+
+  test('the overlay has the screen’s own pixels, and what sleeps a dashed outline', async ({ page }) => {
+    await page.addInitScript(() => {
+      const dashes: number[][] = []
+      Object.assign(window, { dashes })
+      const { setLineDash } = CanvasRenderingContext2D.prototype
+      CanvasRenderingContext2D.prototype.setLineDash = function (dash) {
+        dashes.push([...dash])
+        setLineDash.call(this, dash)
+      }
+    })
+    await page.goto('/playground?count=2')
+    await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+    await page.getByRole('button', { name: 'Overlay' }).click()
+    const canvas = page.locator(`${stage} canvas`)
+    await expect
+      .poll(() => canvas.evaluate((canvas: HTMLCanvasElement) => canvas.width / canvas.clientWidth))
+      .toBe(2)
+    const dashed = await page.evaluate(
+      () => (window as unknown as { dashes: number[][] }).dashes.filter((dash) => dash.length > 0).length,
+    )
+    expect(dashed).toBeGreaterThan(1)
+  })
+})
+
+test('the overlay of a paused stage is there at once', async ({ page }) => {
+  await page.goto('/playground?count=3')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Pause' }).click()
+  await page.getByRole('button', { name: 'Overlay' }).click()
+  await expect.poll(async () => (await colours(page)).grey).toBeGreaterThan(3 * 800)
 })
 
 test('the numbers say what the solver did in the last step', async ({ page }) => {
@@ -70,6 +284,7 @@ test('other chips on a paused stage wait, and the stage says how to drop them', 
   await page.getByRole('button', { name: 'Pause' }).click()
   await page.getByLabel('Shape').selectOption('boxes')
   await expect(page.getByText('Paused. Play drops the chips.')).toBeVisible()
+  for (const chip of await page.locator(`${stage} [data-chip]`).all()) await expect(chip).not.toBeInViewport()
   await page.getByRole('button', { name: 'Play' }).click()
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
   await expect(page.getByText('Paused.')).toBeHidden()
@@ -87,6 +302,22 @@ test('slider and code read an address alike, and words that were taken out stay 
 test('of an address with a whole book in it the playground takes the first 500 letters', async ({ page }) => {
   await page.goto(`/playground?words=${'a'.repeat(3000)}`)
   await expect(page.getByLabel('Words, with commas between')).toHaveValue('a'.repeat(500))
+})
+
+test('a playground at rest asks for no frame', async ({ page }) => {
+  await page.goto('/playground?count=3')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  const asked = await page.evaluate(async () => {
+    const { requestAnimationFrame } = window
+    let asked = 0
+    window.requestAnimationFrame = (callback) => {
+      asked++
+      return requestAnimationFrame(callback)
+    }
+    for (let frame = 0; frame < 10; frame++) await new Promise((done) => requestAnimationFrame(done))
+    return asked
+  })
+  expect(asked).toBe(0)
 })
 
 test('the seed is said not to be in the code, and is not', async ({ page }) => {
@@ -142,6 +373,20 @@ test('a slider of the playground acts on the chips in the air', async ({ page })
   expect(c - b - (b - a)).toBeCloseTo(0, 0)
 })
 
+test('what passes while a laptop is closed is not computed', async ({ page }) => {
+  await page.clock.install({ time: 0 })
+  await page.clock.pauseAt(1000)
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=2&stagger=500')
+  await page.getByRole('button', { name: 'Play' }).click()
+  await page.clock.runFor(200)
+  await page.clock.fastForward(600_000)
+  await page.clock.runFor(100)
+  const chips = page.locator(`${stage} [data-chip]`)
+  await expect(chips.first()).toBeInViewport()
+  await expect(chips.last()).not.toBeInViewport()
+})
+
 test('at 1/20 of the speed a second is three frames', async ({ page }) => {
   await page.clock.install({ time: 0 })
   await page.clock.pauseAt(1000)
@@ -183,6 +428,14 @@ test('words, look and interactive of the playground are those of its chips', asy
   await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))))
   await expect(stage).toHaveAttribute('data-state', 'resting')
   await page.mouse.up()
+})
+
+test('a slider of the playground wakes a pile that lies', async ({ page }) => {
+  await page.goto('/playground?count=3')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await page.getByLabel('gravity').press('End')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'running')
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
 })
 
 test('in a narrower window the chips of the playground stay inside', async ({ page }) => {
@@ -234,4 +487,65 @@ test('chips whose words come to need more room make it, and stay between the wal
   await page.addStyleTag({ content: '[data-chip] { letter-spacing: 0.2em }' })
   await expect.poll(width).toBeGreaterThan(before + 5)
   await expect.poll(through).toBeLessThan(1)
+})
+
+test.describe('playground under a finger', () => {
+  test.use({ hasTouch: true, viewport: { width: 390, height: 700 } })
+
+  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
+    page,
+  }) => {
+    await page.goto('/playground?count=1')
+    const stage = page.locator('[data-slot=playground-stage]')
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+    await stage.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const chip = stage.locator('[data-chip]')
+    // Both at once: a page that a finger has sent off scrolls on meanwhile.
+    const top = () =>
+      chip.evaluate((element) => {
+        const stage = element.closest('[data-slot=playground-stage]')!
+        return element.getBoundingClientRect().y - stage.getBoundingClientRect().y
+      })
+    const scrolled = () => page.evaluate(() => scrollY)
+    const session = await page.context().newCDPSession(page)
+    const swipe = async (held: boolean) => {
+      const { x, y, width, height } = (await chip.boundingBox())!
+      const at = (up: number) => [{ x: x + width / 2, y: y + height / 2 - up }]
+      await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) })
+      // What is held is awake.
+      if (held) await expect(stage).not.toHaveAttribute('data-state', 'resting')
+      for (let up = 10; up <= 150; up += 10) {
+        await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(up) })
+        await page.evaluate(() => new Promise(requestAnimationFrame))
+      }
+      return () => session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    }
+    const [lying, before] = [await top(), await scrolled()]
+
+    const drop = await swipe(true)
+    await expect.poll(top).toBeLessThan(lying - 80)
+    expect(await scrolled()).toBe(before)
+    await drop()
+    await expect(stage).toHaveAttribute('data-state', 'resting')
+
+    // The moment after which a finger holds never comes: a busy machine's swipe may take longer than that.
+    await page.evaluate((never) => {
+      const { setTimeout } = window
+      window.setTimeout = ((work: () => void, ms?: number) =>
+        ms === never ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
+    }, TOUCH_HOLD)
+    const lies = await top()
+    const lift = await swipe(false)
+    await expect.poll(scrolled).toBeGreaterThan(before + 60)
+    expect(await top()).toBeCloseTo(lies, 0)
+    await lift()
+  })
+})
+
+test('the playground is printed as its code', async ({ page }) => {
+  await page.goto('/playground')
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.locator('[data-slot=playground-stage]')).toBeHidden()
+  await expect(page.getByRole('form', { name: 'Settings' })).toBeHidden()
+  await expect(page.getByText('export function Pile()')).toBeVisible()
 })

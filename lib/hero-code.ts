@@ -4,6 +4,10 @@ import { tints } from './tints'
 /** What the buttons of the home page do: an action is done once, the rest stays set. */
 export const heroActions = { drop: 'Drop again', shake: 'Shake', pause: 'Pause', resume: 'Resume' } as const
 export type HeroAction = keyof typeof heroActions
+
+/** What “Heavier” and “Bouncier” set. */
+export const extremes = { gravity: 6000, bounce: 0.7 }
+
 type HeroSettings = { neutral: boolean; heavier: boolean; bouncier: boolean }
 
 const words = ['rigid bodies', 'one file', 'grab me', 'toss me']
@@ -24,8 +28,8 @@ import { GravityStack, type GravityStackActions } from '@/components/ui/gravity-
   const lists = [listOf('words', words), ...(neutral ? [] : [listOf('tints', tints)])]
   const props = [
     ...(action ? ['actionsRef={actions}'] : []),
-    ...(heavier ? ['gravity={6000}'] : []),
-    ...(bouncier ? ['bounce={0.7}'] : []),
+    ...(heavier ? [`gravity={${extremes.gravity}}`] : []),
+    ...(bouncier ? [`bounce={${extremes.bounce}}`] : []),
     'className="h-96"',
   ]
   const look = neutral

@@ -1,4 +1,4 @@
-import { alive } from '../alive'
+import { alive } from '../page'
 import { docsCode, expect, expectPile, test, viteProject } from './project'
 
 test('what the docs let people copy by hand works as it is pasted', async ({

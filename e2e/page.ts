@@ -41,3 +41,22 @@ export const test = base.extend({
     await use(page)
   },
 })
+
+/** Call before a page loads: how far what it shows has moved about since then, by the browser's own measure. */
+export async function watchShifts(page: Page) {
+  await page.addInitScript(() => {
+    let shifted = 0
+    const add = (entries: PerformanceEntryList) => {
+      for (const entry of entries) shifted += (entry as PerformanceEntry & { value: number }).value
+    }
+    const observer = new PerformanceObserver((list) => add(list.getEntries()))
+    observer.observe({ type: 'layout-shift', buffered: true })
+    Object.assign(window, {
+      shifted() {
+        add(observer.takeRecords())
+        return shifted
+      },
+    })
+  })
+  return () => page.evaluate<number>('shifted()')
+}
