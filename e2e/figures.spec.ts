@@ -125,10 +125,15 @@ test('a figure that was paused stays so when it is seen again', async ({ page })
   await figure.getByRole('button', { name: 'Pause' }).click()
   await page.evaluate(() => scrollTo(0, document.body.scrollHeight))
   await expect(picture).not.toBeInViewport()
-  await figure.evaluate((element) => element.scrollIntoView({ block: 'center' }))
-  await expect(picture).toBeInViewport({ ratio: 1 })
-  // What watches it has said so by then.
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+  await picture.evaluate(async (canvas) => {
+    canvas.scrollIntoView({ block: 'center' })
+    await new Promise<void>((done) => {
+      const seen = ([entry]: IntersectionObserverEntry[]) => entry.intersectionRatio > 0.9 && done()
+      new IntersectionObserver(seen, { threshold: 0.9 }).observe(canvas)
+    })
+    // Who has heard of it as well has drawn what comes of it.
+    for (let frame = 0; frame < 3; frame++) await new Promise(requestAnimationFrame)
+  })
   await expect(figure.getByRole('button', { name: 'Play' })).toBeVisible()
 })
 
