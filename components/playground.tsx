@@ -89,6 +89,7 @@ export function Playground() {
   const mean = useRef(0)
   const kick = useRef(() => {})
   const address = useRef<ReturnType<typeof setTimeout>>(undefined)
+  const presses = useRef(new Map<number, Press>())
 
   // The address is known in the browser only; until then the stage is empty.
   useEffect(() => {
@@ -180,6 +181,8 @@ export function Playground() {
     const sizes = elements.map(measure)
     for (const chip of elements) chip.style.transform = 'translateY(-200%)'
     const { clientWidth: width, clientHeight: height } = element
+    // The chips that they hold are gone, and will not hear of their end.
+    presses.current.clear()
     pile.current = createPile({ width, height, gravity, bounce, friction, stagger, seed }, sizes)
     setWork(idle)
     kick.current()
@@ -237,7 +240,6 @@ export function Playground() {
     return () => theme.disconnect()
   }, [overlay])
 
-  const presses = useRef(new Map<number, Press>())
   // A finger that holds a chip does not scroll. React's own listeners are passive, and can't prevent it.
   useEffect(() => {
     const element = stage.current!

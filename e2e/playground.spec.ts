@@ -159,47 +159,61 @@ test('paused, a press on Step moves the chips by one frame', async ({ page }) =>
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'paused')
 })
 
-test('a chip is dragged and tossed', async ({ page }) => {
+test('a chip is dragged, under the overlay too; a still hand drops it, a moving one tosses it', async ({
+  page,
+}) => {
   await page.goto('/playground?count=1')
-  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
-  const chip = page.locator(`${stage} [data-chip]`)
-  const from = (await chip.boundingBox())!
-  await page.mouse.move(from.x + 20, from.y + 10)
-  await page.mouse.down()
-  await page.mouse.move(from.x + 40, from.y - 120, { steps: 8 })
-  await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
-  const room = (await page.locator(stage).boundingBox())!
-  const way = from.x < room.x + room.width / 2 ? 1 : -1
-  // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing, and a busy
-  // machine's is.
-  const hand = await chip.evaluate(
-    async (element, { x, y, way }) => {
-      const start = performance.now()
-      const send = (type: string, ms: number) => {
-        const event = new PointerEvent(type, {
-          bubbles: true,
-          pointerId: 1,
-          pointerType: 'mouse',
-          buttons: type === 'pointermove' ? 1 : 0,
-          clientX: x + way * 0.5 * ms,
-          clientY: y,
-        })
-        Object.defineProperty(event, 'timeStamp', { value: start + ms })
-        element.dispatchEvent(event)
-      }
-      for (let ms = 0; ms < 300; ms += 1000 / 60) {
-        send('pointermove', ms)
-        await new Promise(requestAnimationFrame)
-      }
-      send('pointerup', 300)
-      return x + way * 150
-    },
-    { x: from.x + 40, y: from.y - 120, way },
-  )
-  const beyond = async () => way * ((await chip.boundingBox())!.x + 20 - hand)
-  await expect.poll(beyond).toBeGreaterThan(40)
+  const room = page.locator(stage)
+  await expect(room).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('button', { name: 'Overlay' }).click()
+  await expect(room.locator('canvas')).toBeVisible()
+  const chip = room.locator('[data-chip]')
+  /** Drags the chip up and aside, lets it go when the hand has stood still for so long, and says how far beyond it is. */
+  const carry = async (still: number) => {
+    const from = (await chip.boundingBox())!
+    await page.mouse.move(from.x + 20, from.y + 10)
+    await page.mouse.down()
+    await page.mouse.move(from.x + 40, from.y - 120, { steps: 8 })
+    await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
+    const { x, width } = (await room.boundingBox())!
+    const way = from.x < x + width / 2 ? 1 : -1
+    // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing, and a busy
+    // machine's is.
+    const hand = await chip.evaluate(
+      async (element, { x, y, way, still }) => {
+        const start = performance.now()
+        const send = (type: string, ms: number, late = 0) => {
+          const event = new PointerEvent(type, {
+            bubbles: true,
+            pointerId: 1,
+            pointerType: 'mouse',
+            buttons: type === 'pointermove' ? 1 : 0,
+            clientX: x + way * 0.5 * ms,
+            clientY: y,
+          })
+          Object.defineProperty(event, 'timeStamp', { value: start + ms + late })
+          element.dispatchEvent(event)
+        }
+        for (let ms = 0; ms < 300; ms += 1000 / 60) {
+          send('pointermove', ms)
+          await new Promise(requestAnimationFrame)
+        }
+        send('pointerup', 300, still)
+        return x + way * 150
+      },
+      { x: from.x + 40, y: from.y - 120, way, still },
+    )
+    return async () => way * ((await chip.boundingBox())!.x + 20 - hand)
+  }
+  const dropped = await carry(500)
   await page.mouse.up()
-  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  await expect(room).toHaveAttribute('data-state', 'resting')
+  expect(await dropped()).toBeLessThan(40)
+
+  const tossed = await carry(0)
+  await expect.poll(tossed).toBeGreaterThan(40)
+  await page.mouse.up()
+  await expect(room).toHaveAttribute('data-state', 'resting')
 })
 
 test('the overlay tints islands while they move, greys what sleeps, and draws contacts with their forces', async ({
@@ -418,14 +432,15 @@ test('words, look and interactive of the playground are those of its chips', asy
     await page.mouse.down({ button })
     await page.mouse.move(x + width / 2, y - 60, { steps: 4 })
   }
-  await press('right')
-  await page.mouse.up({ button: 'right' })
-  await expect(stage).toHaveAttribute('data-state', 'resting')
+  const takesNothing = async (button: 'left' | 'right') => {
+    await press(button)
+    await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))))
+    expect(await stage.getAttribute('data-state')).toBe('resting')
+    await page.mouse.up({ button })
+  }
+  await takesNothing('right')
   await page.getByLabel('interactive').uncheck()
-  await press('left')
-  await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))))
-  await expect(stage).toHaveAttribute('data-state', 'resting')
-  await page.mouse.up()
+  await takesNothing('left')
 })
 
 test('a slider of the playground wakes a pile that lies', async ({ page }) => {
@@ -490,53 +505,121 @@ test('chips whose words come to need more room make it, and stay between the wal
 test.describe('playground under a finger', () => {
   test.use({ hasTouch: true, viewport: { width: 390, height: 700 } })
 
-  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
-    page,
-  }) => {
-    await page.goto('/playground?count=1')
-    const stage = page.locator('[data-slot=playground-stage]')
-    await expect(stage).toHaveAttribute('data-state', 'resting')
-    await stage.evaluate((element) => element.scrollIntoView({ block: 'center' }))
-    const chip = stage.locator('[data-chip]')
-    // Both at once: a page that a finger has sent off scrolls on meanwhile.
-    const top = () =>
-      chip.evaluate((element) => {
-        const stage = element.closest('[data-slot=playground-stage]')!
-        return element.getBoundingClientRect().y - stage.getBoundingClientRect().y
-      })
-    const scrolled = () => page.evaluate(() => scrollY)
+  /** A finger on the only chip: where it goes is px to the right of where it came down, and upwards. */
+  async function fingerOn(page: Page) {
     const session = await page.context().newCDPSession(page)
-    const swipe = async (held: boolean) => {
-      const { x, y, width, height } = (await chip.boundingBox())!
-      const at = (up: number) => [{ x: x + width / 2, y: y + height / 2 - up }]
-      await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(0) })
-      // What is held is awake.
-      if (held) await expect(stage).not.toHaveAttribute('data-state', 'resting')
-      for (let up = 10; up <= 150; up += 10) {
-        await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(up) })
-        await page.evaluate(() => new Promise(requestAnimationFrame))
-      }
-      return () => session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    const { x, y, width, height } = (await page.locator(`${stage} [data-chip]`).boundingBox())!
+    const touch = (type: string, touchPoints: { x: number; y: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type: type as 'touchStart', touchPoints })
+    const at = (right: number, up: number) => [{ x: x + width / 2 + right, y: y + height / 2 - up }]
+    return {
+      down: () => touch('touchStart', at(0, 0)),
+      to: (right: number, up: number) => touch('touchMove', at(right, up)),
+      up: () => touch('touchEnd', []),
+      cancel: () => touch('touchCancel', []),
     }
-    const [lying, before] = [await top(), await scrolled()]
+  }
 
-    const drop = await swipe(true)
-    await expect.poll(top).toBeLessThan(lying - 80)
-    expect(await scrolled()).toBe(before)
-    await drop()
-    await expect(stage).toHaveAttribute('data-state', 'resting')
+  const scrolled = (page: Page) => page.evaluate(() => scrollY)
 
-    // The moment after which a finger holds never comes: a busy machine's swipe may take longer than that.
-    await page.evaluate((never) => {
+  /** From here on the moment after which a finger holds never comes: a busy machine's swipe may take longer than that. */
+  const neverHold = (page: Page) =>
+    page.evaluate((never) => {
       const { setTimeout } = window
       window.setTimeout = ((work: () => void, ms?: number) =>
         ms === never ? 0 : setTimeout(work, ms)) as typeof window.setTimeout
     }, TOUCH_HOLD)
+
+  async function swipeUp(page: Page, { to }: Awaited<ReturnType<typeof fingerOn>>) {
+    for (let up = 10; up <= 150; up += 10) {
+      await to(0, up)
+      await page.evaluate(() => new Promise(requestAnimationFrame))
+    }
+  }
+
+  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
+    page,
+  }) => {
+    await page.goto('/playground?count=1')
+    const room = page.locator(stage)
+    await expect(room).toHaveAttribute('data-state', 'resting')
+    await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    // Both at once: a page that a finger has sent off scrolls on meanwhile.
+    const top = () =>
+      room.evaluate((element) => {
+        const chip = element.querySelector('[data-chip]')!
+        return chip.getBoundingClientRect().y - element.getBoundingClientRect().y
+      })
+    const [lying, before] = [await top(), await scrolled(page)]
+
+    const first = await fingerOn(page)
+    await first.down()
+    // What is held is awake.
+    await expect(room).not.toHaveAttribute('data-state', 'resting')
+    await swipeUp(page, first)
+    await expect.poll(top).toBeLessThan(lying - 80)
+    expect(await scrolled(page)).toBe(before)
+    await first.up()
+    await expect(room).toHaveAttribute('data-state', 'resting')
+
+    await neverHold(page)
     const lies = await top()
-    const lift = await swipe(false)
-    await expect.poll(scrolled).toBeGreaterThan(before + 60)
+    const second = await fingerOn(page)
+    await second.down()
+    await swipeUp(page, second)
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 60)
     expect(await top()).toBeCloseTo(lies, 0)
-    await lift()
+    await second.up()
+  })
+
+  test('a tap takes nothing, and what a finger drew aside at once falls when it is lifted', async ({
+    page,
+  }) => {
+    await page.clock.install({ time: 0 })
+    await page.clock.pauseAt(1000)
+    await page.goto('/playground?count=1')
+    const room = page.locator(stage)
+    await page.clock.runFor(6000)
+    await expect(room).toHaveAttribute('data-state', 'resting')
+    await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const finger = await fingerOn(page)
+    for (const end of ['up', 'cancel'] as const) {
+      await finger.down()
+      await finger[end]()
+      await page.clock.runFor(2 * TOUCH_HOLD)
+      expect(await room.getAttribute('data-state')).toBe('resting')
+    }
+    await finger.down()
+    for (const right of [10, 20, 30, 40]) await finger.to(right, 0)
+    await page.clock.runFor(2 * TOUCH_HOLD)
+    expect(await room.getAttribute('data-state')).toBe('running')
+    await finger.up()
+    await page.clock.runFor(6000)
+    await expect(room).toHaveAttribute('data-state', 'resting')
+  })
+
+  test('when other chips come while a finger holds one, the page can be scrolled from there afterwards', async ({
+    page,
+  }) => {
+    await page.goto('/playground?count=1')
+    const room = page.locator(stage)
+    await expect(room).toHaveAttribute('data-state', 'resting')
+    await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const first = await fingerOn(page)
+    await first.down()
+    await expect(room).not.toHaveAttribute('data-state', 'resting')
+    await page.getByLabel('Shape').selectOption('boxes')
+    await first.up()
+    await expect(room).toHaveAttribute('data-state', 'resting')
+
+    await neverHold(page)
+    await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const before = await scrolled(page)
+    const second = await fingerOn(page)
+    await second.down()
+    await swipeUp(page, second)
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 60)
+    await second.up()
   })
 })
 
