@@ -214,6 +214,39 @@ test.describe('benchmarks', () => {
   })
 })
 
+test('another run begins with an empty table, and one whose script does not come says so', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    let runs = 0
+    window.Worker = class {
+      onmessage?: (event: unknown) => void
+      onerror?: (event: unknown) => void
+      constructor() {
+        const say = (data: object) => this.onmessage!({ data })
+        const point = { engine: 'gravity-stack', setting: {}, cost: 1, rest: 0.01, during: 0.1 }
+        setTimeout(() => {
+          if (++runs > 2) return this.onerror!({ message: '' })
+          say({ kind: 'point', point })
+          say({ kind: 'done' })
+        })
+      }
+      terminate() {}
+    } as unknown as typeof Worker
+  })
+  await page.goto('/benchmarks')
+  const status = page.getByRole('status')
+  const rows = page.getByRole('region', { name: 'Results of this device' }).locator('tbody tr')
+  for (const name of ['Run on this device', 'Run again']) {
+    await page.getByRole('button', { name }).click()
+    await expect(status.filter({ hasText: 'Done.' })).toBeVisible()
+    await expect(rows).toHaveCount(1)
+  }
+  await page.getByRole('button', { name: 'Run again' }).click()
+  await expect(status.filter({ hasText: 'It stopped. the worker could not be loaded' })).toBeVisible()
+  await expect(rows).toHaveCount(0)
+})
+
 early('figures that are opened before the script is there come with it', async ({ page }) => {
   const letCome = await withhold(page, '**/*.js')
   await page.goto('/benchmarks', { waitUntil: 'commit' })
