@@ -418,7 +418,6 @@ export function Playground() {
       <form
         data-print="hide"
         aria-label="Settings"
-        onSubmit={(event) => event.preventDefault()}
         className="flex flex-col gap-5 self-start rounded-2xl border bg-panel p-5 text-sm lg:row-span-2 [@media(scripting:none)]:hidden"
       >
         <Field label="Words, with commas between">

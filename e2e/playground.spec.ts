@@ -493,16 +493,6 @@ test('Reset drops the chips again, also where nothing was changed', async ({ pag
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'running')
 })
 
-test('Enter in a setting leaves the page as it is', async ({ page }) => {
-  await page.goto('/playground?count=3')
-  await page.evaluate(() => Object.assign(window, { kept: true }))
-  for (const setting of ['Chips', 'interactive']) await page.getByLabel(setting).press('Enter')
-  // A form that is sent loads the page anew, not at once.
-  await page.getByLabel('Chips').press('ArrowRight')
-  await expect(page).toHaveURL(/count=4$/)
-  expect(await page.evaluate(() => 'kept' in window)).toBe(true)
-})
-
 test('chips whose words come to need more room make it, and stay between the walls', async ({ page }) => {
   await page.goto('/playground?count=30')
   const stage = page.locator('[data-slot=playground-stage]')
