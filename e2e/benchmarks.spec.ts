@@ -311,6 +311,19 @@ test('the tables of costs and bytes have the figures of the raw data', async ({ 
   await expect(page.locator('figure svg path[stroke-dasharray]')).not.toHaveCount(0)
 })
 
+test('a line joins those settings of an engine that none of its own beats', async ({ page }) => {
+  await page.goto('/benchmarks')
+  const plots = page.locator('figure svg', { hasText: 'error, ' })
+  const lines = await plots
+    .locator('[data-engine] > path:first-of-type')
+    .evaluateAll((all) =>
+      all.map((line) => [...line.getAttribute('d')!.matchAll(/ ([\d.]+)/g)].map(([, y]) => Number(y))),
+    )
+  expect(lines.length).toBeGreaterThan(100)
+  // Ever dearer, and ever more exact: further down.
+  for (const line of lines) expect(line).toEqual([...line].sort((a, b) => a - b))
+})
+
 test('errors that are rounding stand on the lowest line, which says so', async ({ page }) => {
   await page.goto('/benchmarks')
   const exact = page.locator('figure svg', { has: page.getByText(/^≤ /) })

@@ -33,6 +33,11 @@ test('Markdown has the code of every example, the actions and the index its link
   expect(await (await request.get('/llms-full.txt')).text()).toContain(markdown)
 })
 
+test('a heading is read without the mark behind it', async ({ page }) => {
+  await page.goto('/docs/gravity-stack')
+  await expect(page.getByRole('heading', { name: 'Installation', exact: true })).toBeVisible()
+})
+
 test('Previous and Next go through the docs in the order of their list', async ({ page }) => {
   await page.goto('/docs')
   const order = await page
@@ -193,6 +198,15 @@ test('the whole source unfolds in the page', async ({ page }) => {
   await expect(page.getByRole('region', { name: 'components/ui/gravity-stack.tsx' })).toBeFocused()
   expect(await page.evaluate(() => scrollY)).toBe(scrolled)
   await expect(manual.getByRole('link', { name: 'Plain text' })).toBeVisible()
+  // On paper there is nothing to scroll.
+  const hidden = () =>
+    manual
+      .locator('pre')
+      .last()
+      .evaluate((pre) => pre.scrollHeight - pre.clientHeight)
+  expect(await hidden()).toBeGreaterThan(1000)
+  await page.emulateMedia({ media: 'print' })
+  expect(await hidden()).toBe(0)
 })
 
 test('who has moved on while the whole source was on its way keeps the focus', async ({ page }) => {

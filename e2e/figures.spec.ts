@@ -41,6 +41,11 @@ test.describe('how it works', () => {
     for (const figure of await page.locator('[data-slot=figure]').all()) {
       await expect(figure).not.toContainText('…')
     }
+    // Where somebody has left it, it stays.
+    await times.first().press('Home')
+    await times.first().press('ArrowRight')
+    await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')))
+    await expect(times.first()).toHaveValue('1')
   })
 
   test('a figure plays when it is seen, unless the reader prefers reduced motion', async ({ page }) => {

@@ -165,6 +165,18 @@ test('the drop on the home page can be paused, and goes on with whatever is pres
   }
 })
 
+test('with reduced motion the home page says why its buttons do nothing, on paper it has none', async ({
+  page,
+}) => {
+  await page.goto('/')
+  const why = page.getByText('Motion is off, as your system asks.')
+  await expect(why).toBeHidden()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await expect(why).toBeVisible()
+  await page.emulateMedia({ media: 'print' })
+  await expect(page.getByRole('button', { name: 'Shake' })).toBeHidden()
+})
+
 test('the tints of the home page are those in its code', async ({ page }) => {
   await page.goto('/')
   await page.getByRole('button', { name: 'Tinted' }).click()

@@ -427,6 +427,9 @@ test('words, look and interactive of the playground are those of its chips', asy
   const chips = stage.locator('[data-chip]')
   await page.getByLabel('Words').fill('here, there')
   await expect(chips).toHaveText(['here', 'there'])
+  // A drag marks no words, and a finger's leaves scrolling up and down and zooming to the browser.
+  await expect(chips.first()).toHaveCSS('user-select', 'none')
+  await expect(chips.first()).toHaveCSS('touch-action', 'pan-y pinch-zoom')
   const colour = () =>
     chips.locator('span').evaluateAll((all) => all.map((e) => getComputedStyle(e).backgroundColor))
   const tinted = await colour()

@@ -82,11 +82,13 @@ for (const path of tables) {
       all.map((table) => ({
         name: table.getAttribute('aria-label'),
         cut: table.scrollWidth - table.clientWidth,
+        // Where it is wider after all, the keyboard can scroll it.
+        tabIndex: (table as HTMLElement).tabIndex,
       })),
     )
     const names = found.map(({ name }) => name)
     expect(names).toEqual([...new Set(names)])
-    expect(found).toEqual(found.map(({ name }) => ({ name, cut: 0 })))
+    expect(found).toEqual(found.map(({ name }) => ({ name, cut: 0, tabIndex: 0 })))
     expect(found.length).toBeGreaterThan(0)
   })
 }
@@ -204,6 +206,14 @@ test('with text twice as large, a phone keeps the buttons of the header and of a
   }
 })
 
+test('with text twice as large, a phone breaks a heading that is longer than its line', async ({ page }) => {
+  await page.setViewportSize({ width: 320, height: 700 })
+  await page.goto('/docs/accessibility')
+  await page.addStyleTag({ content: 'html { font-size: 200% !important }' })
+  const heading = page.getByRole('heading', { level: 1 })
+  expect(await heading.evaluate(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth)).toBe(0)
+})
+
 test('a slider says its value once, with its unit', async ({ page }) => {
   await page.goto('/playground')
   const slider = (name: string) => page.getByRole('slider', { name, exact: true })
@@ -317,6 +327,12 @@ test.describe('in forced colours', () => {
       await expect.poll(async () => (await colour(one(page))) === (await colour(other(page)))).toBe(false)
     })
   }
+})
+
+test('in forced colours a link that is a button by its ground alone has a border', async ({ page }) => {
+  await page.emulateMedia({ forcedColors: 'active' })
+  await page.goto('/')
+  await expect(page.getByRole('link', { name: 'Read the docs' })).toHaveCSS('border-style', 'solid')
 })
 
 test('back and forward go from anchor to anchor and from page to page', async ({ page }) => {
@@ -445,6 +461,36 @@ test('chips and the ladder keep their colours on paper', async ({ page }) => {
     await page.goto(path)
     await page.emulateMedia({ media: 'print' })
     await expect(page.locator(surface).first()).toHaveCSS('print-color-adjust', 'exact')
+  }
+})
+
+test('the keyboard is seen wherever it goes', async ({ page }) => {
+  for (const path of ['/', '/docs/gravity-stack', '/playground', '/benchmarks']) {
+    await page.goto(path)
+    for (let presses = 0; presses < 25; presses++) {
+      await page.keyboard.press('Tab')
+      const focused = await page.evaluate(() => {
+        const element = document.activeElement!
+        // Of a choice with a hidden circle the whole is outlined.
+        const outlines = [element, element.closest('label') ?? element].map((shown) => {
+          const { outlineStyle, outlineWidth } = getComputedStyle(shown)
+          return `${outlineStyle} ${outlineWidth}`
+        })
+        return { outlines, html: element.outerHTML.slice(0, 80) }
+      })
+      expect(focused.outlines, `${path}: ${focused.html}`).toContain('solid 2px')
+    }
+  }
+})
+
+test('on paper no table is cut off', async ({ page }) => {
+  await page.emulateMedia({ media: 'print' })
+  await page.setViewportSize({ width: 700, height: 900 })
+  for (const path of ['/benchmarks', '/docs/stability']) {
+    await page.goto(path)
+    const boxes = page.locator(':is([role=group], [role=region]):has(> table)')
+    expect(await boxes.count()).toBeGreaterThan(2)
+    for (const box of await boxes.all()) await expect(box).toHaveCSS('overflow-x', 'visible')
   }
 })
 
