@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import { expect, type Page, type Response } from '@playwright/test'
-import { test, withhold } from './page'
+import { painted, test, withhold } from './page'
 
 test('the props table says what range and default a number has, in the page and in Markdown', async ({
   page,
@@ -109,7 +109,7 @@ test('tabs are one stop for the keyboard; arrows, Home and End go from one to an
     await page.keyboard.press(key)
     await expect(managers.nth(tab)).toBeFocused()
     // A page that is told to scroll begins with the next frame.
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+    await painted(page)
     expect(await scrolled()).toBe(before)
   }
 })

@@ -1,5 +1,5 @@
 import { expect } from '@playwright/test'
-import { test, watchShifts } from './page'
+import { painted, test, watchShifts } from './page'
 
 test.describe('how it works', () => {
   test('each figure can be scrubbed with the keyboard', async ({ page }) => {
@@ -279,7 +279,7 @@ for (const path of ['/docs/how-it-works', '/docs/stability']) {
       await figure.scrollIntoViewIfNeeded()
       await expect(figure.locator('strong').first()).toBeVisible()
     }
-    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+    await painted(page)
     expect(await shifted()).toBeLessThan(0.01)
   })
 }

@@ -9,6 +9,10 @@ export const alive = (page: Page) =>
     Object.keys(document.documentElement).some((key) => key.startsWith('__reactProps')),
   )
 
+/** Until what was asked for so far has been painted. */
+export const painted = (page: Page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))))
+
 /** Holds back the scripts of a page until what it returns is called. */
 export async function withhold(page: Page, scripts: string) {
   let letCome = () => {}

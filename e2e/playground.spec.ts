@@ -1,8 +1,12 @@
 import { expect, type Page } from '@playwright/test'
 import { TOUCH_HOLD } from '../registry/gravity-stack/constants'
-import { test } from './page'
+import { painted, test } from './page'
 
 const stage = '[data-slot=playground-stage]'
+
+/** What the row below the stage says of the last step. */
+const number = (page: Page, name: string) =>
+  page.locator('dt', { hasText: new RegExp(`^${name}$`) }).locator('+ dd')
 
 /** How many colours of islands the overlay shows, and how many px are grey or the red of contacts. */
 const colours = (page: Page) =>
@@ -283,11 +287,10 @@ test('the overlay of a paused stage is there at once', async ({ page }) => {
 
 test('the numbers say what the solver did in the last step', async ({ page }) => {
   await page.goto('/playground?count=12&shape=boxes')
-  const number = (name: string) => page.locator('dt', { hasText: new RegExp(`^${name}$`) }).locator('+ dd')
   const names = ['awake chips', 'pairs', 'contacts', 'islands', 'sub-steps, all islands', 'µs a step']
-  for (const name of names) await expect(number(name)).not.toHaveText('0')
+  for (const name of names) await expect(number(page, name)).not.toHaveText('0')
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
-  for (const name of names) await expect(number(name)).toHaveText('0')
+  for (const name of names) await expect(number(page, name)).toHaveText('0')
 })
 
 test('after Pause, Drop drops the chips and they come to rest', async ({ page }) => {
@@ -404,7 +407,7 @@ test('what passes while a laptop is closed is not computed', async ({ page }) =>
   await page.clock.runFor(200)
   await page.clock.fastForward(600_000)
   await page.clock.runFor(100)
-  await expect(page.locator('dt', { hasText: 'awake chips' }).locator('+ dd')).toHaveText('1')
+  await expect(number(page, 'awake chips')).toHaveText('1')
 })
 
 test('at 1/20 of the speed a second is three frames', async ({ page }) => {
@@ -415,16 +418,16 @@ test('at 1/20 of the speed a second is three frames', async ({ page }) => {
   await page.getByRole('button', { name: 'Speed 1/20×' }).click()
   await page.getByRole('button', { name: 'Play' }).click()
   await page.clock.runFor(1000)
-  await expect(page.locator('dt', { hasText: 'awake chips' }).locator('+ dd')).toHaveText('0')
+  await expect(number(page, 'awake chips')).toHaveText('0')
   await page.getByRole('button', { name: 'Speed 1×' }).click()
   await page.clock.runFor(200)
-  await expect(page.locator('dt', { hasText: 'awake chips' }).locator('+ dd')).toHaveText('1')
+  await expect(number(page, 'awake chips')).toHaveText('1')
 })
 
 test('words, look and interactive of the playground are those of its chips', async ({ page }) => {
   await page.goto('/playground?count=2')
-  const stage = page.locator('[data-slot=playground-stage]')
-  const chips = stage.locator('[data-chip]')
+  const room = page.locator(stage)
+  const chips = room.locator('[data-chip]')
   await page.getByLabel('Words').fill('here, there')
   await expect(chips).toHaveText(['here', 'there'])
   // A drag marks no words, and a finger's leaves scrolling up and down and zooming to the browser.
@@ -436,7 +439,7 @@ test('words, look and interactive of the playground are those of its chips', asy
   expect(tinted[0]).not.toBe(tinted[1])
   await page.getByLabel('Look').selectOption('ink')
   await expect.poll(colour).not.toEqual(tinted)
-  await expect(stage).toHaveAttribute('data-state', 'resting')
+  await expect(room).toHaveAttribute('data-state', 'resting')
   const press = async (button: 'left' | 'right') => {
     const { x, y, width, height } = (await chips.first().boundingBox())!
     await page.mouse.move(x + width / 2, y + height / 2)
@@ -445,8 +448,8 @@ test('words, look and interactive of the playground are those of its chips', asy
   }
   const takesNothing = async (button: 'left' | 'right') => {
     await press(button)
-    await page.evaluate(() => new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r))))
-    expect(await stage.getAttribute('data-state')).toBe('resting')
+    await painted(page)
+    expect(await room.getAttribute('data-state')).toBe('resting')
     await page.mouse.up({ button })
   }
   await takesNothing('right')
@@ -465,11 +468,11 @@ test('a slider of the playground wakes a pile that lies', async ({ page }) => {
 test('in a narrower window the chips of the playground stay inside', async ({ page }) => {
   await page.setViewportSize({ width: 1280, height: 800 })
   await page.goto('/playground')
-  const stage = page.locator('[data-slot=playground-stage]')
-  await expect(stage).toHaveAttribute('data-state', 'resting')
+  const room = page.locator(stage)
+  await expect(room).toHaveAttribute('data-state', 'resting')
   await page.setViewportSize({ width: 500, height: 800 })
   const beyond = () =>
-    stage.evaluate((e) =>
+    room.evaluate((e) =>
       Math.max(
         ...[...e.querySelectorAll('[data-chip]')].map((c) => {
           const b = c.getBoundingClientRect(),
@@ -498,12 +501,12 @@ test('Reset drops the chips again, also where nothing was changed', async ({ pag
 
 test('chips whose words come to need more room make it, and stay between the walls', async ({ page }) => {
   await page.goto('/playground?count=30')
-  const stage = page.locator('[data-slot=playground-stage]')
-  const chips = stage.locator('[data-chip]')
-  await expect(stage).toHaveAttribute('data-state', 'resting')
+  const room = page.locator(stage)
+  const chips = room.locator('[data-chip]')
+  await expect(room).toHaveAttribute('data-state', 'resting')
   /** px, how far any pill reaches through a wall. */
   const through = () =>
-    stage.evaluate((element) =>
+    room.evaluate((element) =>
       Math.max(
         ...[...element.querySelectorAll<HTMLElement>('[data-chip]')].map((chip) => {
           const { offsetWidth: w, offsetHeight: h } = chip
