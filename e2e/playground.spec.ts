@@ -143,7 +143,8 @@ test('another seed makes another pile; the same seed the same', async ({ page })
   expect(await pile(1)).toEqual(first)
 })
 
-test('paused, a press on Step moves the chips by one frame', async ({ page }) => {
+/** One chip in the air, on a paused stage. What it returns presses Step and says how far down the chip is then, px. */
+async function falling(page: Page) {
   // Nothing falls before the first press on Step.
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/playground?count=1&stagger=0')
@@ -157,6 +158,11 @@ test('paused, a press on Step moves the chips by one frame', async ({ page }) =>
   const waiting = await height()
   // It is let go after a few frames.
   await expect.poll(step, { intervals: [0] }).not.toBe(waiting)
+  return step
+}
+
+test('paused, a press on Step moves the chips by one frame', async ({ page }) => {
+  const step = await falling(page)
   const [first, second, third] = [await step(), await step(), await step()]
   // Gravity makes the way of each frame longer by as much; the air takes a hundredth of a pixel of it.
   expect(third - second - (second - first)).toBeCloseTo(2600 / 60 ** 2, 1)
@@ -383,16 +389,7 @@ test('long words stay inside their discs, and discs are round', async ({ page })
 })
 
 test('a slider of the playground acts on the chips in the air', async ({ page }) => {
-  await page.emulateMedia({ reducedMotion: 'reduce' })
-  await page.goto('/playground?count=1&stagger=0')
-  const chip = page.locator('[data-chip]')
-  const height = () => chip.evaluate((e) => new DOMMatrix(getComputedStyle(e).transform).f)
-  const step = async () => {
-    await page.getByRole('button', { name: 'Step' }).click()
-    return height()
-  }
-  const waiting = await height()
-  await expect.poll(step, { intervals: [0] }).not.toBe(waiting)
+  const step = await falling(page)
   await page.getByLabel('gravity').press('Home')
   const [a, b, c] = [await step(), await step(), await step()]
   expect(c - b - (b - a)).toBeCloseTo(0, 0)
