@@ -1,9 +1,10 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { browserHead, browserRows } from '@/app/benchmarks/browser'
-import { costRow, results, sizes, verdictHead, verdictWords } from '@/app/benchmarks/data'
+import { claim, costRow, results, sizes } from '@/app/benchmarks/data'
 import { engineOrder, looks } from '@/app/benchmarks/engines'
-import { ours, verdicts } from '@/bench/report'
+import { verdictHead, verdictWords } from '@/app/benchmarks/words'
+import { ours } from '@/bench/report'
 import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from '@/components/scenes-table'
 import { siteUrl } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
@@ -158,7 +159,7 @@ const benchmarks = () =>
     `Measured on ${results.machine.cpu}, Node ${results.machine.node}. Raw data: ${siteUrl}/benchmarks/results.json, ${siteUrl}/benchmarks/errors.csv, ${siteUrl}/benchmarks/costs.csv. The plots are on the page: ${siteUrl}/benchmarks`,
     table(
       verdictHead,
-      verdicts(results).map((verdict) => {
+      claim.map((verdict) => {
         const { scene, measure } = verdict
         const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
         return [`${scene.title}: ${scene.measures[measure].name}`, error, cost, asCheap, asExact, frontier]

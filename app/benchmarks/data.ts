@@ -1,7 +1,6 @@
-import { frontier, points, type Results, type Verdict } from '@/bench/report'
+import { frontier, ours, points, type Results, verdicts } from '@/bench/report'
 import data from '@/bench/results/results.json'
-import { figure } from '@/lib/figure'
-import { engineOrder, looks, settingTitle } from './engines'
+import { engineOrder, settingTitle } from './engines'
 import type { FigureRow } from './plot-table'
 
 const measured = data as unknown as Results
@@ -23,6 +22,16 @@ export const plotTitle = (scene: Scene, measure: number) =>
   scene.measures.filter((other) => other.ranked).length > 1
     ? `${scene.title}: ${scene.measures[measure].name}`
     : scene.title
+
+/** The claim, row by row, and what of it does not hold. */
+export const claim = verdicts(results)
+export const lost = claim.filter((verdict) => verdict.beaten.length > 0)
+/** Held by rounding alone: a cheaper engine's error is the smaller one, but neither counts. */
+export const ties = claim.filter(({ beaten, tied }) => beaten.length === 0 && tied.length > 0)
+
+/** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
+export const open = [...new Set(claim.flatMap((verdict) => verdict.open))]
+export const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
 
 /** What each engine costs at each number of chips, as it comes. */
 export const defaultCosts = results.pourCosts.filter(
@@ -57,39 +66,4 @@ export function allFigures(): Record<string, FigureRow[]> {
       return [plotName(scene, i), rows]
     }),
   )
-}
-
-/** The columns of the claim's table. */
-export const verdictHead = [
-  'Scene',
-  'Error',
-  'µs a frame',
-  'Most accurate at the same cost',
-  'Cheapest at the same accuracy',
-  'Frontier',
-]
-
-/** What the claim says of a scene, in words. */
-export function verdictWords(verdict: Verdict) {
-  const { scene, measure, cost, error, floor, asCheap, asExact, beaten, tied } = verdict
-  const rival = (engine: string) => looks[engine].title
-  const { unit } = scene.measures[measure]
-  const timesOurs = (cheap: NonNullable<Verdict['asCheap']>) =>
-    Math.max(error, cheap.error) <= floor
-      ? `both below ${figure(floor)} ${unit}`
-      : `${figure(cheap.factor)} × the error`
-  return {
-    error: `${figure(error)} ${unit}`,
-    cost: figure(cost),
-    asCheap: asCheap ? `${rival(asCheap.engine)}: ${timesOurs(asCheap)}` : 'none as cheap',
-    asExact: asExact
-      ? `${rival(asExact.engine)}: ${figure(asExact.factor)} × the cost`
-      : 'none, at any setting',
-    frontier:
-      beaten.length > 0
-        ? `not ours: ${[...new Set(beaten.map(({ engine }) => rival(engine)))].join(', ')}`
-        : tied.length > 0
-          ? `tie: ${rival(tied[0].engine)}`
-          : 'ours',
-  }
 }

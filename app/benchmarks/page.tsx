@@ -1,22 +1,41 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import { noise, ours, type Results, type Verdict, verdicts } from '@/bench/report'
+import type { Results } from '@/bench/report'
 import { Heading } from '@/components/heading'
 import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import type { Heading as HeadingOf } from '@/lib/docs'
-import { figure } from '@/lib/figure'
-import { typeset } from '@/lib/typeset'
 import { InBrowser } from './browser'
-import { costRow, defaultCosts, plotName, plotTitle, results, sizes, verdictHead, verdictWords } from './data'
+import { claim, dearer, lost, open, plotName, plotTitle, results, ties } from './data'
 import { Drawn } from './drawn'
-import { engineOrder, looks, settingTitle } from './engines'
-import { EngineName, Mark, Markers } from './plot'
+import { Legend } from './legend'
+import { Markers } from './plot'
 import { PlotTable } from './plot-table'
 import { RunOnDevice } from './run-on-device'
 import { Table } from './table'
+import {
+  cheaperTable,
+  claimTable,
+  frameTable,
+  orderTable,
+  pourTable,
+  seedsTable,
+  sizeTable,
+  unmarkedTable,
+  weightTable,
+} from './tables'
+import {
+  circumstances,
+  exception,
+  floorTitle,
+  inWords,
+  listed,
+  rowTitle,
+  settingsByEngine,
+  spreads,
+} from './words'
 
 export const metadata: Metadata = {
   title: 'Benchmarks',
@@ -58,15 +77,6 @@ const groups: { id: string; title: string; text: string; scenes: RegExp }[] = [
   },
 ]
 
-const all = verdicts(results)
-const lost = all.filter((verdict) => verdict.beaten.length > 0)
-/** Held by rounding alone: a cheaper engine's error is the smaller one, but neither counts. */
-const ties = all.filter(({ beaten, tied }) => beaten.length === 0 && tied.length > 0)
-
-/** Settings of peers without a mark: those that might be exceptions, and those that cost too much to be. */
-const open = [...new Set(all.flatMap((verdict) => verdict.open))]
-const dearer = results.missing.filter((row) => row.engine !== ours && !open.includes(row))
-
 const headings: HeadingOf[] = [
   { depth: 2, id: 'claim', text: 'The claim, scene by scene' },
   ...(lost.length > 0 ? [{ depth: 3, id: 'exceptions', text: 'The exceptions' }] : []),
@@ -89,7 +99,6 @@ export default function Benchmarks() {
   return (
     <div className="mx-auto grid w-full max-w-[88rem] flex-1 grid-cols-[minmax(0,1fr)] gap-10 px-4 sm:px-6 xl:grid-cols-[minmax(0,1fr)_12rem]">
       <main id="content" className="benchmarks min-w-0 pt-10 pb-20">
-        <style>{highlightRules}</style>
         <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">Run time against error</h1>
         <div className="mt-3 max-w-3xl text-pretty text-lg text-muted-foreground leading-relaxed">
           <p>
@@ -115,7 +124,7 @@ export default function Benchmarks() {
 
         <Section id="claim">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            In {all.length - lost.length - ties.length} of the {all.length} rows below no engine, at any
+            In {claim.length - lost.length - ties.length} of the {claim.length} rows below no engine, at any
             setting, is both cheaper and more accurate than Gravity Stack at its default setting.{' '}
             {ties.length > 0 &&
               `In ${inWords(ties.length)} more, ${listed(ties.map(rowTitle))}, a cheaper engine’s error is smaller too, but both are below ${listed([...new Set(ties.map(floorTitle))])}, where nobody can see a difference: we call ${ties.length === 1 ? 'this a tie' : 'these ties'}. `}
@@ -131,12 +140,7 @@ export default function Benchmarks() {
             component’s first design.
           </p>
           <div className="mt-6">
-            <Table
-              label="The claim, scene by scene"
-              head={verdictHead}
-              numbers={[1, 2]}
-              rows={all.map(verdictRow)}
-            />
+            <Table {...claimTable} />
           </div>
           {lost.length > 0 && (
             <>
@@ -231,7 +235,7 @@ export default function Benchmarks() {
             <code className="font-mono text-[0.875em]">cn</code>, which its project has anyway.
           </p>
           <div className="mt-6">
-            <Weights />
+            <Table {...weightTable} />
           </div>
         </Section>
 
@@ -297,11 +301,7 @@ export default function Benchmarks() {
                 ours. The raw data lists them under “missing”, each with the reason and a lower bound of its
                 cost.
               </p>
-              <Table
-                label="Settings without a mark"
-                head={['Scene', 'Settings']}
-                rows={settingsByEngine(dearer)}
-              />
+              <Table {...unmarkedTable} />
             </>
           )}
         </Section>
@@ -347,179 +347,6 @@ function Download({ file }: { file: string }) {
   )
 }
 
-/** On what kind of machine, and in what kind of run. */
-const circumstances = [
-  results.resumed ? 'in several sittings' : `in one run of ${Math.round(results.minutes)} minutes`,
-  ...(results.kept > 0
-    ? [
-        `${Math.round(100 * results.kept)} % of the simulated runs, which come out the same each time, kept from before`,
-      ]
-    : []),
-  ...(results.others > 0.02
-    ? [`other work taking ${Math.round(100 * results.others)} % of the machine meanwhile`]
-    : []),
-].join(', ')
-
-const named = ({ engine, setting }: { engine: string; setting: Record<string, number> }) =>
-  `${looks[engine].title} at ${settingTitle(setting)}`
-
-/** Who lies below and to the left of us, and how far: each engine with the cheapest setting that does. */
-function exception({ scene, measure, cost, error, beaten }: Verdict) {
-  const title = scene.measures.length > 1 ? `${scene.title}, ${scene.measures[measure].name}` : scene.title
-  const shares = beaten
-    .toSorted((a, b) => a.cost - b.cost)
-    .filter((point, i, all) => all.findIndex(({ engine }) => engine === point.engine) === i)
-    .map((point) => {
-      const share = `${figure(point.cost / cost)} × the cost`
-      return `${named(point)}: ${share}, ${figure(point.error / error)} × the error`
-    })
-  return `${title}. ${shares.join('; ')}.`
-}
-
-/** A row of the claim, in a sentence. */
-const rowTitle = ({ scene, measure }: Verdict) =>
-  `${scene.measures[measure].name} of ${scene.title.split(',')[0]}`
-
-const floorTitle = ({ scene, measure, floor }: Verdict) => {
-  const { unit } = scene.measures[measure]
-  return `${figure(floor)} ${unit === 'weights' ? 'of the pile’s weight' : unit}`
-}
-
-const listed = (parts: string[]) => new Intl.ListFormat('en').format(parts)
-
-/** How far the rounds of a cost lie apart, in words; nothing where no cost has a second round. */
-const spreads = (() => {
-  // Where a scene has seeds its rounds differ by more than noise.
-  const seeded = results.scenes.filter(({ seeds }) => seeds > 1).map(({ name }) => name)
-  const all = [...results.sceneCosts.filter(({ scene }) => !seeded.includes(scene)), ...results.pourCosts]
-    .flatMap(({ spread, rounds }) => (spread && rounds > 1 ? [spread - 1] : []))
-    .toSorted((a, b) => a - b)
-  if (all.length === 0) return ''
-  const [half, most] = [0.5, 0.95].map((share) => (100 * all[Math.floor(share * all.length)]).toFixed(0))
-  return `: the slowest round took at most ${half}\u00a0% longer than the fastest in half of the cases, at most ${most}\u00a0% in 95 of 100`
-})()
-
-/** `3`, or `1 to 3` where they differ. */
-const span = (counts: number[]) => [...new Set([Math.min(...counts), Math.max(...counts)])].join(' to ')
-
-const seedsTable = {
-  label: 'Seeds of the pours',
-  head: ['Engine', 'Default setting', 'Other settings', 'Settings played', '250 pills, each setting'],
-  numbers: [1, 2, 3, 4],
-  rows: engineOrder.map((engine) => {
-    const pours = results.scenes
-      .filter(({ seeds }) => seeds > 1)
-      .map(({ name }) => results.errors.filter((row) => row.engine === engine && row.scene === name))
-    const seeds = pours.map((rows) => rows.map((row) => row.seeds))
-    const [large, ...usual] = seeds.toReversed()
-    return [
-      <EngineName key="engine" engine={engine} />,
-      span(usual.map(([first]) => first)),
-      span(usual.flatMap(([, ...others]) => others)),
-      span(pours.map((rows) => rows.length)),
-      span(large),
-    ]
-  }),
-}
-
-const capital = (words: string) => words[0].toUpperCase() + words.slice(1)
-
-const inWords = (count: number) => numbers[count] ?? String(count)
-const numbers = [
-  'no',
-  'one',
-  'two',
-  'three',
-  'four',
-  'five',
-  'six',
-  'seven',
-  'eight',
-  'nine',
-  'ten',
-  'eleven',
-  'twelve',
-]
-
-/** How many settings of whom, scene by scene. */
-const settingsByEngine = (rows: Results['missing']) =>
-  results.scenes.flatMap(({ name, title }) => {
-    const here = rows.filter((row) => row.scene === name)
-    const engines = engineOrder.flatMap((engine) => {
-      const count = here.filter((row) => row.engine === engine).length
-      return count > 0 ? [`${inWords(count)} of ${looks[engine].title}`] : []
-    })
-    return engines.length > 0 ? [[title, listed(engines)]] : []
-  })
-
-function verdictRow(verdict: Verdict): ReactNode[] {
-  const { scene, measure } = verdict
-  const { error, cost, asCheap, asExact, frontier } = verdictWords(verdict)
-  return [
-    <span key="scene">
-      {typeset(scene.title)}
-      <span className="font-normal text-muted-foreground">
-        {scene.measures.length > 1 ? `: ${scene.measures[measure].name}` : ''}
-      </span>
-    </span>,
-    <span key="error" className="whitespace-nowrap">
-      {error}
-    </span>,
-    cost,
-    // On a phone, where the table scrolls anyway, narrow columns would only make high rows.
-    <span key="cheap" className="block max-sm:min-w-44">
-      {asCheap}
-    </span>,
-    <span key="exact" className="block max-sm:min-w-44">
-      {asExact}
-    </span>,
-    frontier.startsWith('not') ? <strong key="lost">{frontier}</strong> : frontier,
-  ]
-}
-
-/** Choosing an engine dims the others in every plot; ours stays. Nothing but CSS. */
-const highlightRules = engineOrder
-  .map(
-    (engine) =>
-      `.benchmarks:has(#show-${engine}:checked) svg [data-engine]:not([data-engine="${engine}"]):not([data-engine="${ours}"]){opacity:.12}`,
-  )
-  .join('')
-
-function Legend() {
-  const measured = engineOrder.filter((engine) => results.versions[engine])
-  return (
-    // What scrolls by passes behind the page's ground round the box, not through its corners.
-    <div className="legend sticky top-14 z-30 bg-background pt-2 print:static">
-      <fieldset className="flex min-w-0 gap-1 overflow-x-auto rounded-xl border bg-panel p-2 text-sm lg:flex-wrap print:flex-wrap">
-        <legend className="sr-only">Show one engine beside ours</legend>
-        {['all', ...measured].map((engine) => (
-          <label
-            key={engine}
-            className="relative flex shrink-0 cursor-pointer items-center gap-2 rounded-lg px-2.5 py-1.5 has-checked:bg-muted has-focus-visible:outline-2 has-focus-visible:outline-ring"
-          >
-            <input
-              type="radio"
-              name="engine"
-              id={`show-${engine}`}
-              defaultChecked={engine === 'all'}
-              className="sr-only"
-            />
-            {engine !== 'all' && (
-              <svg aria-hidden="true" viewBox="-7 -7 14 14" className="size-3.5">
-                <Mark engine={engine} />
-              </svg>
-            )}
-            {engine === 'all' ? 'All' : looks[engine].title}
-            {engine !== 'all' && /\d/.test(results.versions[engine]) && (
-              <span className="text-muted-foreground">{results.versions[engine]}</span>
-            )}
-          </label>
-        ))}
-      </fieldset>
-    </div>
-  )
-}
-
 function PlotFigure({ scene, measure }: { scene: Results['scenes'][number]; measure: number }) {
   const title = plotTitle(scene, measure)
   const seeds = scene.seeds > 1 ? `, ${scene.seeds} seeds` : ''
@@ -532,177 +359,5 @@ function PlotFigure({ scene, measure }: { scene: Results['scenes'][number]; meas
       <Drawn scene={scene.name} measure={measure} />
       <PlotTable label={title} unit={scene.measures[measure].unit} name={plotName(scene, measure)} />
     </figure>
-  )
-}
-
-const fixedSteps = [2, 4, 8, 16, 32]
-
-const orderTable = {
-  label: 'Error of Gravity Stack by sub-steps',
-  head: ['Scene', ...fixedSteps.map((steps) => `${steps} sub-steps`), 'Order'],
-  numbers: [1, 2, 3, 4, 5, 6],
-  rows: results.scenes.flatMap((scene) =>
-    scene.measures.flatMap((measure, i) => {
-      const errors = fixedSteps.map(
-        (steps) =>
-          results.errors.find(
-            (row) => row.engine === ours && row.scene === scene.name && row.setting.substeps === steps,
-          )?.errors[i] ?? Number.NaN,
-      )
-      const [first, last] = [errors[1], errors[errors.length - 1]]
-      const order = Math.log2(first / last) / Math.log2(fixedSteps[fixedSteps.length - 1] / fixedSteps[1])
-      // Neither rounding, nor what another bound than the sub-step's decides, nor what was not filmed at all of them has an order.
-      if (!measure.ranked || !(first > 1e-6) || measure.unit === 'weights' || !(order >= 0.5)) return []
-      const title = scene.measures.length > 1 ? `${scene.title}: ${measure.name}` : scene.title
-      return [[title, ...errors.map((error) => `${figure(error)}\u00a0${measure.unit}`), order.toFixed(1)]]
-    }),
-  ),
-}
-
-const pourScene = results.scenes.find((scene) => scene.name === 'pour-pills-60')
-
-const pourTable = {
-  label: 'Sixty pills, all properties',
-  head: [
-    'Engine',
-    'Setting',
-    'Seeds',
-    ...(pourScene?.measures.map(({ name, unit }) => `${capital(name)}, ${unit}`) ?? []),
-  ],
-  numbers: [2, 3, 4, 5, 6, 7],
-  // Each engine as it comes, and at the setting that overlaps least.
-  rows: engineOrder.flatMap((engine) => {
-    const own = results.errors.filter((row) => row.engine === engine && row.scene === pourScene?.name)
-    const best = [...own].sort((a, b) => (a.errors[0] ?? 1e9) - (b.errors[0] ?? 1e9))[0]
-    return own
-      .filter((row) => row === own[0] || row === best)
-      .map((row) => [
-        <EngineName key="engine" engine={engine} />,
-        settingTitle(row.setting),
-        row.seeds,
-        ...row.errors.map((value, i) => {
-          const never = pourScene?.measures[i].unit === 's' && (value ?? 6) > 5.9
-          return never ? 'not in 6 s' : figure(value ?? Number.POSITIVE_INFINITY)
-        }),
-      ])
-  }),
-}
-
-const sizeTable = {
-  label: 'Cost by number of chips, µs a frame',
-  head: ['µs a frame', ...sizes.map((size) => `${size.toLocaleString('en')} chips`)],
-  numbers: sizes.map((_, i) => i + 1),
-  rows: engineOrder
-    .filter((engine) => defaultCosts.some((row) => row.engine === engine))
-    .map((engine) => [
-      <EngineName key="engine" engine={engine} />,
-      ...sizes.map((size) => {
-        const row = costRow(engine, size)
-        if (!row?.cost) {
-          return <span title={row?.reason}>{row?.atLeast ? `> ${figure(row.atLeast)}` : '–'}</span>
-        }
-        const own = costRow(ours, size)?.cost
-        const ratio = own && engine !== ours ? ` (${figure(row.cost.mean / own.mean)} ×)` : ''
-        return (
-          <span
-            key={size}
-            className="whitespace-nowrap"
-            title={`95th percentile: ${figure(row.cost.p95)} µs`}
-          >
-            {figure(row.cost.mean)}
-            <span className="text-muted-foreground">{ratio}</span>
-          </span>
-        )
-      }),
-    ]),
-}
-
-const phases = [
-  ['pour', 'Fall and landing, first 1.5 s'],
-  ['settled', 'Lying, kept awake, fourth second'],
-  ['mean', 'All four seconds'],
-] as const
-const cheaperTable = {
-  label: 'Who is cheaper, by number of chips',
-  head: ['Chips', ...phases.map(([, title]) => title)],
-  rows: sizes.map((size) => [
-    size.toLocaleString('en'),
-    ...phases.map(([phase]) => {
-      const own = costRow(ours, size)?.cost
-      if (!own) return '–'
-      const shares = engineOrder
-        .map((engine) => ({ engine, share: (costRow(engine, size)?.cost?.[phase] ?? Infinity) / own[phase] }))
-        .filter(({ engine, share }) => engine !== ours && share * noise < 1)
-        .toSorted((a, b) => a.share - b.share)
-      return shares.length === 0
-        ? 'none'
-        : shares.map(({ engine, share }) => (
-            <span key={engine} className="block min-w-44">
-              <EngineName engine={engine}> {figure(share)}&nbsp;×</EngineName>
-            </span>
-          ))
-    }),
-  ]),
-}
-
-const frameTable = {
-  label: 'Sixty pills, frame by frame, µs',
-  head: [
-    'µs a frame',
-    'Fall and landing',
-    'Lying, kept awake',
-    'Median',
-    '95th percentile',
-    'Worst',
-    'Spread between rounds',
-    'All asleep',
-  ],
-  numbers: [1, 2, 3, 4, 5, 6, 7],
-  rows: engineOrder.flatMap((engine) => {
-    const row = costRow(engine, 60)
-    if (!row?.cost) return []
-    const { pour, settled, p50, p95, worst } = row.cost
-    return [
-      [
-        <EngineName key="engine" engine={engine} />,
-        ...[pour, settled, p50, p95, worst].map((value) => figure(value)),
-        row.rounds > 1 && row.spread ? `${(100 * (row.spread - 1)).toFixed(0)} %` : 'timed once',
-        figure(results.asleep[engine]),
-      ],
-    ]
-  }),
-}
-
-function Weights() {
-  const most = Math.max(...results.bytes.map((row) => row.gzip))
-  const engineOf = (name: string) => engineOrder.find((engine) => engine === name)
-  return (
-    <Table
-      label="Bytes, allocation and sleep"
-      head={['Engine', 'kB, gzipped', 'Heap bytes a frame', 'µs a frame, all asleep']}
-      numbers={[2, 3]}
-      rows={results.bytes.map((row) => {
-        const engine = engineOf(row.name)
-        return [
-          <EngineName key="engine" engine={engine ?? ours}>
-            {engine === ours && ', the solver alone'}
-            {!engine && ', the whole component'}
-          </EngineName>,
-          <span key="bytes" className="flex items-center gap-3">
-            <span className="w-14 text-right">
-              {(row.gzip / 1000).toLocaleString('en', { minimumFractionDigits: 1, maximumFractionDigits: 1 })}
-            </span>
-            <span aria-hidden="true" className="block h-2.5 w-[min(24rem,30vw)]">
-              <span
-                className="block h-full min-w-0.5 rounded-sm"
-                style={{ width: `${(100 * row.gzip) / most}%`, background: `var(--${engine ?? ours})` }}
-              />
-            </span>
-          </span>,
-          engine ? figure(results.allocation[engine]) : '–',
-          engine ? figure(results.asleep[engine]) : '0, not called',
-        ]
-      })}
-    />
   )
 }
