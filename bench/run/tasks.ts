@@ -3,10 +3,10 @@ import { createHash } from 'node:crypto'
 import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { cpus } from 'node:os'
 import { join } from 'node:path'
-import type { Engine } from './engine'
-import type { Job } from './job'
-import { ours } from './report'
-import { bundle, type Outcome, openTurns, root, runJob, spent, type Turns } from './run-job'
+import type { Engine } from '../engine'
+import type { Job } from '../job'
+import { ours } from '../report'
+import { bundle, type Outcome, openTurns, root, runJob, spent, type Turns } from '../run-job'
 
 type Task = { job: Job; round: number; key: string }
 /** What an engine is timed at in its turns, one after the other, or nothing when it needs no more. */
