@@ -27,6 +27,7 @@ const headings = {
   step: 'one step of all that is awake',
   simulation: 'what the stage calls',
   drop: 'where and when each chip starts',
+  input: 'what a caller may pass, and what stands in for the rest',
   stage: 'the DOM: measure, paint, point, observe, loop',
   'gravity-stack': 'the React component',
 }

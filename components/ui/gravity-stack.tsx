@@ -3618,13 +3618,8 @@ function releasePose(
   }
 }
 
-// stage: the DOM: measure, paint, point, observe, loop ──────────────────────────────────────────────────────
+// input: what a caller may pass, and what stands in for the rest ────────────────────────────────────────────
 
-// The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
-// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
-
-/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
-const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
 const LIMITS = {
   gravity: [GRAVITY, 20000],
@@ -3632,6 +3627,45 @@ const LIMITS = {
   friction: [FRICTION, 10],
   stagger: [150, 60000],
 } as const
+
+declare const process: { env: { NODE_ENV?: string } }
+
+const warned = new Set<string>()
+
+/** Tells a developer once what is wrong, why, and what to do; bundlers drop it from production. */
+function warn(message: string) {
+  if (warned.has(message)) return
+  warned.add(message)
+  console.warn(`GravityStack: ${message}`)
+}
+
+/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
+function written(value: unknown) {
+  try {
+    return typeof value === 'string' ? JSON.stringify(value) : String(value)
+  } catch {
+    return typeof value
+  }
+}
+
+/** The number that stands for what a caller wrote. */
+function sane(name: keyof typeof LIMITS, value: unknown) {
+  const [fallback, most] = LIMITS[name]
+  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
+  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
+    warn(
+      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+    )
+  return result
+}
+
+// stage: the DOM: measure, paint, point, observe, loop ──────────────────────────────────────────────────────
+
+// The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
+// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
+
+/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
+const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** Share of the stage in view that starts the drop; of one that is too large for that, share of what can be seen of it at once. */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
@@ -3726,37 +3760,6 @@ interface Press {
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: ReturnType<World['grab']>
-}
-
-declare const process: { env: { NODE_ENV?: string } }
-
-const warned = new Set<string>()
-
-/** Tells a developer once what is wrong, why, and what to do; bundlers drop it from production. */
-function warn(message: string) {
-  if (warned.has(message)) return
-  warned.add(message)
-  console.warn(`GravityStack: ${message}`)
-}
-
-/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
-function written(value: unknown) {
-  try {
-    return typeof value === 'string' ? JSON.stringify(value) : String(value)
-  } catch {
-    return typeof value
-  }
-}
-
-/** The number that stands for what a caller wrote. */
-function sane(name: keyof typeof LIMITS, value: unknown) {
-  const [fallback, most] = LIMITS[name]
-  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
-  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
-    warn(
-      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
-    )
-  return result
 }
 
 type View = typeof globalThis & Window

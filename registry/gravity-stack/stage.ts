@@ -1,7 +1,8 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { BOUNCE, FRICTION, GRAVITY, TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
+import { TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
+import { LIMITS, sane, warn, written } from './input'
 import { createWorld, type World } from './simulation'
 
 // The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
@@ -9,13 +10,6 @@ import { createWorld, type World } from './simulation'
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
-const LIMITS = {
-  gravity: [GRAVITY, 20000],
-  bounce: [BOUNCE, 1],
-  friction: [FRICTION, 10],
-  stagger: [150, 60000],
-} as const
 /** Share of the stage in view that starts the drop; of one that is too large for that, share of what can be seen of it at once. */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
@@ -110,37 +104,6 @@ interface Press {
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: ReturnType<World['grab']>
-}
-
-declare const process: { env: { NODE_ENV?: string } }
-
-const warned = new Set<string>()
-
-/** Tells a developer once what is wrong, why, and what to do; bundlers drop it from production. */
-function warn(message: string) {
-  if (warned.has(message)) return
-  warned.add(message)
-  console.warn(`GravityStack: ${message}`)
-}
-
-/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
-function written(value: unknown) {
-  try {
-    return typeof value === 'string' ? JSON.stringify(value) : String(value)
-  } catch {
-    return typeof value
-  }
-}
-
-/** The number that stands for what a caller wrote. */
-function sane(name: keyof typeof LIMITS, value: unknown) {
-  const [fallback, most] = LIMITS[name]
-  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
-  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
-    warn(
-      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
-    )
-  return result
 }
 
 type View = typeof globalThis & Window
