@@ -33,6 +33,6 @@ describe('the one file', () => {
     const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
     expect(rooms[0]).toBe('constants')
     expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
-    expect(rooms.slice(-4)).toEqual(['simulation', 'drop', 'stage', 'component'])
+    expect(rooms.slice(-5)).toEqual(['simulation', 'drop', 'input', 'stage', 'component'])
   })
 })
