@@ -33,6 +33,52 @@ test('Markdown has the code of every example, the actions and the index its link
   expect(await (await request.get('/llms-full.txt')).text()).toContain(markdown)
 })
 
+test('Markdown tells what tabs and figures show, and which bounds are missed, and links to Markdown alone', async ({
+  page,
+  request,
+  baseURL,
+}) => {
+  const markdownOf = async (path: string) => (await request.get(path)).text()
+  const component = await markdownOf('/docs/gravity-stack.md')
+  expect(component).toContain('title="gravity-stack-demo.tsx"')
+  expect(component).toMatch(
+    /With the CLI:[\s\S]+npx shadcn@latest add[\s\S]+By hand:[\s\S]+npm install motion/,
+  )
+  expect(await markdownOf('/docs/setup.md')).toContain(`registry add @liten=${baseURL}/r/{name}.json`)
+  expect(await markdownOf('/docs/how-it-works.md')).toContain('_On the page itself a figure runs here._')
+  expect(await markdownOf('/index.md')).toContain('<GravityStack actionsRef={actions} gravity={6000}')
+
+  for (const [path, words] of [
+    ['/docs/stability', ', missed'],
+    ['/benchmarks', 'goal missed'],
+  ]) {
+    await page.goto(path)
+    const missed = page.locator('td strong').filter({ hasText: /missed/ })
+    expect((await markdownOf(`${path}.md`)).split(words).length - 1, path).toBe(await missed.count())
+  }
+  for (const file of readdirSync('content/docs')) {
+    const text = await markdownOf(`/docs/${file.replace('.mdx', '.md')}`)
+    const prose = text.replace(/^```[\s\S]*?^```/gm, 'code')
+    expect(prose, file).not.toContain('\n\n\n')
+    const links = [...prose.matchAll(/\]\(([^)]+)\)/g)].map(([, to]) => to)
+    expect(links.filter((to) => !/^(https?:|#)/.test(to) || /\/docs\/[\w-]+(#|$)/.test(to))).toEqual([])
+  }
+})
+
+test('beside a page stand its headings, in their words', async ({ page }) => {
+  await page.setViewportSize({ width: 1400, height: 800 })
+  for (const file of readdirSync('content/docs')) {
+    // Its versions are no part of the page's own text.
+    if (file === 'changelog.mdx') continue
+    await page.goto(`/docs/${file.replace('.mdx', '')}`)
+    const beside = page.getByRole('navigation', { name: 'On this page' }).getByRole('link')
+    const headings = page.locator('#content :is(h2, h3)[id]')
+    expect(await beside.allTextContents(), file).toEqual(
+      (await headings.allTextContents()).map((words) => words.replace(/#$/, '')),
+    )
+  }
+})
+
 test('a heading is read without the mark behind it', async ({ page }) => {
   await page.goto('/docs/gravity-stack')
   await expect(page.getByRole('heading', { name: 'Installation', exact: true })).toBeVisible()

@@ -161,16 +161,109 @@ test('each page names its own address and its Markdown', async ({ page, baseURL 
   }
 })
 
-test('every page has words of its own and a picture for those who share it', async ({ page, request }) => {
+test('every page has words of its own and a picture for those who share it', async ({
+  page,
+  request,
+  baseURL,
+}) => {
   const seen = new Set<string>()
   for (const path of pages.filter((path) => path !== '/404')) {
     await page.goto(path)
     const meta = (name: string) => page.locator(`meta[property="${name}"]`).getAttribute('content')
+    expect(await meta('og:url')).toBe(new URL(path, baseURL).href.replace(/\/$/, ''))
+    await expect(page.locator('meta[name="twitter:card"]')).toHaveAttribute('content', 'summary_large_image')
     seen.add(`${await page.title()} ${await page.locator('meta[name=description]').getAttribute('content')}`)
     const picture = new URL((await meta('og:image')) ?? '')
     expect((await request.get(picture.pathname)).headers()['content-type']).toBe('image/png')
   }
   expect(seen.size).toBe(pages.length - 1)
+})
+
+test('a crawler finds the map of the site, and the component’s page under a title of its own', async ({
+  page,
+  request,
+  baseURL,
+}) => {
+  expect(await (await request.get('/robots.txt')).text()).toContain(`Sitemap: ${baseURL}/sitemap.xml`)
+  await page.goto('/docs/gravity-stack')
+  await expect(page).toHaveTitle('Gravity Stack, a React component')
+})
+
+test('the registry may be read from any site, and what never changes is asked for once', async ({
+  page,
+  request,
+}) => {
+  const item = (await request.get('/r/gravity-stack.json')).headers()
+  expect(item['access-control-allow-origin']).toBe('*')
+  expect(item['cache-control']).toBe('public, max-age=300')
+  expect(item['content-encoding']).toMatch(/^(br|gzip)$/)
+  await page.goto('/')
+  const script = await page.locator('script[src]:not([nomodule])').first().getAttribute('src')
+  const headers = (await request.get(script!)).headers()
+  expect(headers['cache-control']).toBe('public, max-age=31536000, immutable')
+  expect(headers['x-content-type-options']).toBe('nosniff')
+  expect((await request.get('/source/gravity-stack.tsx.txt')).headers()['content-type']).toBe(
+    'text/plain;charset=utf-8',
+  )
+})
+
+test('where nothing can be saved, themes and tabs change all the same', async ({ page }) => {
+  await page.addInitScript(() => {
+    Object.defineProperty(window, 'localStorage', {
+      get: () => {
+        throw new DOMException('Blocked', 'SecurityError')
+      },
+    })
+  })
+  const errors: string[] = []
+  page.on('pageerror', (error) => errors.push(error.message))
+  await page.emulateMedia({ colorScheme: 'dark' })
+  await page.goto('/')
+  await expect(page.locator('html')).toHaveClass(/dark/)
+  await page.getByRole('tab', { name: 'yarn' }).click()
+  await expect(page.getByText('yarn dlx shadcn@latest add')).toBeVisible()
+  await page.getByRole('button', { name: 'Switch between light and dark' }).click()
+  await expect(page.locator('html')).not.toHaveClass(/dark/)
+  expect(errors).toEqual([])
+})
+
+test.describe('scripts come', () => {
+  const sources = (page: Page) =>
+    page
+      .locator('script[src]:not([nomodule])')
+      .evaluateAll((scripts) => scripts.map((script) => (script as HTMLScriptElement).src))
+
+  // Time stands still in pages that come after this.
+  const stopTime = async (page: Page) => {
+    await page.clock.install({ time: 0 })
+    await page.clock.pauseAt(1000)
+  }
+
+  test('once, also when the wait for the first paint runs out later', async ({ page }) => {
+    await stopTime(page)
+    await page.goto('/docs/setup')
+    const first = await sources(page)
+    expect(first.length).toBeGreaterThan(0)
+    await page.clock.runFor(3000)
+    expect(await sources(page)).toEqual(first)
+  })
+
+  test('without word of a first paint: at once in a hidden tab, after three seconds in one that is seen', async ({
+    page,
+  }) => {
+    await stopTime(page)
+    await page.addInitScript(() => {
+      PerformanceObserver.prototype.observe = () => {}
+      const hidden = location.search === '?hidden'
+      Object.defineProperty(document, 'hidden', { get: () => hidden })
+    })
+    await page.goto('/docs/setup?hidden')
+    const loaded = page.goto('/docs/setup')
+    await page.waitForURL('/docs/setup')
+    expect(await sources(page)).toEqual([])
+    await page.clock.runFor(3000)
+    await loaded
+  })
 })
 
 test('llms.txt and the sitemap list every page, and llms-full.txt holds the source', async ({ request }) => {
