@@ -11,3 +11,9 @@ export function figure(value: number | null | undefined): string {
   const raised = `${power < 0 ? '⁻' : ''}${[...String(Math.abs(power))].map((digit) => digits[Number(digit)]).join('')}`
   return digit === 1 ? `10${raised}` : `${digit.toFixed(1)}\u00a0·\u00a010${raised}`
 }
+
+/** A figure with its unit, on one line; a time that never comes is said so. */
+export function shortFigure(value: number, unit = ''): string {
+  if (value === Number.POSITIVE_INFINITY) return 'never'
+  return unit ? `${figure(value)}\u00a0${unit}` : figure(value)
+}

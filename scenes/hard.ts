@@ -576,3 +576,9 @@ export const hardScenes: HardScene[] = [
     bounds: settles,
   },
 ]
+
+/** A figure's words and unit; a share has none. */
+export function named(figure: keyof HardFigures) {
+  const [measure, unit] = [hardWords[figure], hardUnits[figure]]
+  return unit.startsWith('of ') ? { measure: `${measure}, share`, unit: '' } : { measure, unit }
+}

@@ -1,6 +1,6 @@
 import { ours } from '@/bench/report'
-import { results } from './data'
-import { engineOrder, looks } from './engines'
+import { engineOrder, looks } from '@/lib/evidence/engines'
+import { results } from '@/lib/evidence/results'
 import { Mark } from './plot'
 
 /** Choosing an engine dims the others in every plot; ours stays. Nothing but CSS. */

@@ -7,8 +7,18 @@ import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import type { Heading as HeadingOf } from '@/lib/docs'
+import { claim, dearer, lost, open, plotName, plotTitle, results, ties } from '@/lib/evidence/results'
+import {
+  circumstances,
+  exception,
+  floorTitle,
+  inWords,
+  listed,
+  rowTitle,
+  settingsByEngine,
+  spreads,
+} from '@/lib/evidence/words'
 import { InBrowser } from './browser'
-import { claim, dearer, lost, open, plotName, plotTitle, results, ties } from './data'
 import { Drawn } from './drawn'
 import { Legend } from './legend'
 import { Markers } from './plot'
@@ -26,16 +36,6 @@ import {
   unmarkedTable,
   weightTable,
 } from './tables'
-import {
-  circumstances,
-  exception,
-  floorTitle,
-  inWords,
-  listed,
-  rowTitle,
-  settingsByEngine,
-  spreads,
-} from './words'
 
 export const metadata: Metadata = {
   title: 'Benchmarks',

@@ -1,13 +1,11 @@
 'use client'
 
 import { useState } from 'react'
+import { engineOrder } from '@/lib/evidence/engines'
+import type { FigureRow } from '@/lib/evidence/results'
 import { figure } from '@/lib/figure'
-import { engineOrder } from './engines'
 import { EngineName } from './plot'
 import { Table } from './table'
-
-/** Engine's place in `engineOrder`, setting, error (null: without bound), µs a frame, 1 on the frontier. */
-export type FigureRow = [engine: number, setting: string, error: number | null, cost: number, best: 0 | 1]
 
 let figures: Promise<Record<string, FigureRow[]>> | undefined
 

@@ -1,7 +1,7 @@
 import { scaleLog } from 'd3-scale'
 import { type ReactNode, useId } from 'react'
+import { engineOrder, looks } from '@/lib/evidence/engines'
 import { figure } from '@/lib/figure'
-import { engineOrder, looks } from './engines'
 
 type PlotPoint = { x: number; y: number }
 export type PlotLine = { engine: string; points: PlotPoint[] }

@@ -1,6 +1,6 @@
 import { frontier, points, rounding } from '@/bench/report'
-import { defaultCosts, plotTitle, results } from './data'
-import { engineOrder } from './engines'
+import { engineOrder } from '@/lib/evidence/engines'
+import { defaultCosts, plotTitle, results } from '@/lib/evidence/results'
 import { Plot, type PlotLine } from './plot'
 
 export function ScenePlot({ scene: name, measure }: { scene: string; measure: number }) {

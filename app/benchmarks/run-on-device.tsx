@@ -1,8 +1,8 @@
 'use client'
 
 import { useEffect, useRef, useState } from 'react'
+import { looks, settingTitle } from '@/lib/evidence/engines'
 import { figure } from '@/lib/figure'
-import { looks, settingTitle } from './engines'
 import { EngineName, Plot } from './plot'
 import type { DeviceNews, DevicePoint } from './run-worker'
 import { Table } from './table'

@@ -1,11 +1,11 @@
 import type { ReactNode } from 'react'
 import { noise, ours, type Verdict } from '@/bench/report'
+import { engineOrder, settingTitle } from '@/lib/evidence/engines'
+import { claim, costRow, dearer, defaultCosts, results, sizes } from '@/lib/evidence/results'
+import { capital, settingsByEngine, verdictHead, verdictWords } from '@/lib/evidence/words'
 import { figure } from '@/lib/figure'
 import { typeset } from '@/lib/typeset'
-import { claim, costRow, dearer, defaultCosts, results, sizes } from './data'
-import { engineOrder, settingTitle } from './engines'
 import { EngineName } from './plot'
-import { capital, settingsByEngine, verdictHead, verdictWords } from './words'
 
 function claimRow(verdict: Verdict): ReactNode[] {
   const { scene, measure } = verdict

@@ -1,11 +1,11 @@
 'use client'
 
 import { useState } from 'react'
+import { shortFigure } from '@/lib/figure'
 import { flight } from '@/scenes/references'
 import { chipColours, drawChip, drawText } from './draw'
 import { Figure, Slider, Value } from './figure'
 import { record } from './record'
-import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 const gravity = 2600

@@ -1,12 +1,11 @@
 'use client'
 
 import { playHardScene, type Watch } from '@/bench/hard-run'
-import { type HardFigures, hardScenes } from '@/scenes/hard'
+import { shortFigure } from '@/lib/figure'
+import { type HardFigures, hardScenes, named } from '@/scenes/hard'
 import { chipColours, drawChip, drawLine } from './draw'
 import { Figure } from './figure'
-import { named } from './named'
 import { ScenePicker, usePick } from './scene-picker'
-import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 /** The scenes that break solvers, played by the component's solver in this browser, each figure beside its bound. */

@@ -1,12 +1,12 @@
 'use client'
 
+import { shortFigure } from '@/lib/figure'
 import { scenes } from '@/scenes'
 import { slowest } from '@/scenes/piles'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
 import { filmOf } from './film'
 import { ScenePicker, usePick } from './scene-picker'
-import { shortFigure } from './short-figure'
 import { useLazy } from './use-lazy'
 
 /** Scenes of more chips are for the benchmark; here they would keep a phone busy for a minute. */

@@ -1,5 +1,5 @@
 import { readFileSync } from 'node:fs'
-import { allFigures } from '../data'
+import { allFigures } from '@/lib/evidence/results'
 
 const figures = 'figures.json'
 

@@ -1,7 +1,6 @@
 import { frontier, ours, points, type Results, verdicts } from '@/bench/report'
 import data from '@/bench/results/results.json'
 import { engineOrder, settingTitle } from './engines'
-import type { FigureRow } from './plot-table'
 
 const measured = data as unknown as Results
 
@@ -42,6 +41,9 @@ export const costRow = (engine: string, chips: number) =>
   defaultCosts.find((row) => row.engine === engine && row.chips === chips)
 
 export const sizes = [...new Set(results.pourCosts.map((row) => row.chips))]
+
+/** Engine's place in `engineOrder`, setting, error (null: without bound), µs a frame, 1 on the frontier. */
+export type FigureRow = [engine: number, setting: string, error: number | null, cost: number, best: 0 | 1]
 
 /** The figures of all plots by `plotName`, best first. */
 export function allFigures(): Record<string, FigureRow[]> {

@@ -1,7 +1,7 @@
 import type { Results, Verdict } from '@/bench/report'
-import { figure } from '@/lib/figure'
-import { results } from './data'
+import { figure } from '../figure'
 import { engineOrder, looks, settingTitle } from './engines'
+import { results } from './results'
 
 /** On what kind of machine, and in what kind of run. */
 export const circumstances = [

@@ -1,4 +1,4 @@
-import { figure } from '@/lib/figure'
+import { figure } from '../figure'
 
 /** How each engine looks in every plot: a colour for the eye, a shape for those who see colours otherwise. */
 type Look = {
