@@ -167,6 +167,8 @@ test.describe('with a clipboard', () => {
 
   test('copies the command for the package manager that is shown', async ({ page }) => {
     await page.goto('/')
+    // Until no chip may fall past under the pointer.
+    await expect(page.locator('[data-slot=gravity-stack]')).toHaveAttribute('data-state', 'resting')
     await page.getByRole('tab', { name: 'bun' }).click()
     await page.getByRole('button', { name: 'Copy command' }).click()
     await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()

@@ -218,10 +218,10 @@ test('where nothing can be saved, themes and tabs change all the same', async ({
   const errors: string[] = []
   page.on('pageerror', (error) => errors.push(error.message))
   await page.emulateMedia({ colorScheme: 'dark' })
-  await page.goto('/')
+  await page.goto('/docs/setup')
   await expect(page.locator('html')).toHaveClass(/dark/)
-  await page.getByRole('tab', { name: 'yarn' }).click()
-  await expect(page.getByText('yarn dlx shadcn@latest add')).toBeVisible()
+  await page.getByRole('tab', { name: 'yarn' }).first().click()
+  await expect(page.getByText('yarn dlx shadcn@latest').first()).toBeVisible()
   await page.getByRole('button', { name: 'Switch between light and dark' }).click()
   await expect(page.locator('html')).not.toHaveClass(/dark/)
   expect(errors).toEqual([])
