@@ -14,7 +14,6 @@ export const metadata: Metadata = {
     'A React component whose children drop in, tumble and settle into a pile that people can grab and toss. Its own rigid-body solver, in the one file you copy.',
   // The address of each page, whichever it is.
   openGraph: { type: 'website', siteName: 'Gravity Stack', url: './' },
-  twitter: { card: 'summary_large_image' },
 }
 
 export const viewport: Viewport = {
