@@ -227,6 +227,28 @@ test('where nothing can be saved, themes and tabs change all the same', async ({
   expect(errors).toEqual([])
 })
 
+test('a page that somebody points at is fetched before the press, a file is not', async ({
+  page,
+  context,
+}) => {
+  await page.goto('/docs/setup')
+  const early: string[] = []
+  context.on('request', (request) => {
+    if (request.headers()['sec-purpose'] === 'prefetch') early.push(new URL(request.url()).pathname)
+  })
+  // A press tells at once, and is none when it ends elsewhere.
+  for (const link of [
+    page.getByRole('link', { name: 'Markdown' }),
+    page.getByRole('navigation', { name: 'Docs' }).getByRole('link', { name: 'Recipes' }),
+  ]) {
+    await link.hover()
+    await page.mouse.down()
+    await page.getByRole('heading', { level: 1 }).hover()
+    await page.mouse.up()
+  }
+  await expect.poll(() => early).toEqual(['/docs/recipes'])
+})
+
 test.describe('scripts come', () => {
   const sources = (page: Page) =>
     page
