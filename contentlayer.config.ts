@@ -1,11 +1,10 @@
 import { defineDocumentType, makeSource } from 'contentlayer2/source-files'
-import GithubSlugger from 'github-slugger'
 import rehypePrettyCode from 'rehype-pretty-code'
 import rehypeSlug from 'rehype-slug'
 import remarkGfm from 'remark-gfm'
 import { codeTheme } from './lib/code-theme'
 import { rehypeTableNames } from './lib/table-names'
-import { rehypeTypeset, typeset } from './lib/typeset'
+import { rehypeTypeset } from './lib/typeset'
 
 export const Doc = defineDocumentType(() => ({
   name: 'Doc',
@@ -19,19 +18,8 @@ export const Doc = defineDocumentType(() => ({
   },
   computedFields: {
     slug: { type: 'string', resolve: (doc) => doc._raw.sourceFileName.replace(/\.mdx$/, '') },
-    headings: { type: 'json', resolve: (doc) => headings(doc.body.raw) },
   },
 }))
-
-/** The headings of the second level and below, with the ids that rehype-slug will give them. */
-function headings(markdown: string) {
-  const slugger = new GithubSlugger()
-  const prose = markdown.replace(/^```[\s\S]*?^```/gm, '')
-  return [...prose.matchAll(/^(#{2,3}) (.+)$/gm)].map(([, marks, words]) => {
-    const text = words.replace(/[`*]/g, '').trim()
-    return { depth: marks.length, text: typeset(text), id: slugger.slug(text) }
-  })
-}
 
 export default makeSource({
   contentDirPath: 'content',

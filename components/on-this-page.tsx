@@ -1,4 +1,4 @@
-import type { Heading } from '@/lib/docs'
+import type { Heading } from '@/lib/headings'
 
 /** The headings of a page, beside it where there is room. */
 export function OnThisPage({ headings }: { headings: Heading[] }) {

@@ -40,6 +40,4 @@ export function neighbours(path: string) {
   return { previous: order[index - 1], next: order[index + 1] }
 }
 
-export type Heading = { depth: number; text: string; id: string }
-
 export const findDoc = (slug: string): Doc | undefined => docs.find((doc) => doc.slug === slug)

@@ -6,7 +6,6 @@ import { Heading } from '@/components/heading'
 import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
-import type { Heading as HeadingOf } from '@/lib/docs'
 import { claim, dearer, lost, open, plotName, plotTitle, results, ties } from '@/lib/evidence/results'
 import {
   circumstances,
@@ -18,6 +17,7 @@ import {
   settingsByEngine,
   spreads,
 } from '@/lib/evidence/words'
+import type { Heading as HeadingOf } from '@/lib/headings'
 import { InBrowser } from './browser'
 import { Drawn } from './drawn'
 import { Legend } from './legend'

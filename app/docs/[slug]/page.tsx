@@ -5,7 +5,9 @@ import { Mdx } from '@/components/mdx'
 import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
-import { docs, findDoc, type Heading } from '@/lib/docs'
+import { docs, findDoc } from '@/lib/docs'
+import { headingsOf } from '@/lib/headings'
+import { changelog } from '@/lib/source'
 import { typeset } from '@/lib/typeset'
 
 export const dynamicParams = false
@@ -49,7 +51,7 @@ export default async function DocPage({ params }: PageProps<'/docs/[slug]'>) {
           </div>
           <PageEnd path={`/docs/${doc.slug}`} />
         </main>
-        <OnThisPage headings={doc.headings as Heading[]} />
+        <OnThisPage headings={headingsOf(doc.body.raw.replace('<Changelog />', changelog))} />
       </div>
     </DocsLayout>
   )
