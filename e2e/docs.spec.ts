@@ -1,7 +1,7 @@
-import { readdirSync, readFileSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import { expect, type Page, type Response } from '@playwright/test'
-import { painted, test, withhold } from './page'
+import { docs, painted, test, withhold } from './page'
 
 test('the props table says what range and default a number has, in the page and in Markdown', async ({
   page,
@@ -24,54 +24,13 @@ test('the props table says what range and default a number has, in the page and 
   expect(markdown).toContain('| `gravity` | `number`, 0 to 20,000 |')
 })
 
-test('Markdown has the code of every example, the actions and the index its links', async ({ request }) => {
-  const markdown = await (await request.get('/docs/gravity-stack.md')).text()
-  for (const file of readdirSync('registry/examples'))
-    expect(markdown).toContain(readFileSync(`registry/examples/${file}`, 'utf8').trim())
-  expect(markdown).toContain('| `pause()` |')
-  expect(await (await request.get('/docs.md')).text()).toContain('/docs/setup.md)')
-  expect(await (await request.get('/llms-full.txt')).text()).toContain(markdown)
-})
-
-test('Markdown tells what tabs and figures show, and which bounds are missed, and links to Markdown alone', async ({
-  page,
-  request,
-  baseURL,
-}) => {
-  const markdownOf = async (path: string) => (await request.get(path)).text()
-  const component = await markdownOf('/docs/gravity-stack.md')
-  expect(component).toContain('title="gravity-stack-demo.tsx"')
-  expect(component).toMatch(
-    /With the CLI:[\s\S]+npx shadcn@latest add[\s\S]+By hand:[\s\S]+npm install motion/,
-  )
-  expect(await markdownOf('/docs/setup.md')).toContain(`registry add @liten=${baseURL}/r/{name}.json`)
-  expect(await markdownOf('/docs/how-it-works.md')).toContain('_On the page itself a figure runs here._')
-  expect(await markdownOf('/index.md')).toContain('<GravityStack actionsRef={actions} gravity={6000}')
-
-  for (const [path, words] of [
-    ['/docs/stability', ', missed'],
-    ['/benchmarks', 'goal missed'],
-  ]) {
-    await page.goto(path)
-    const missed = page.locator('td strong').filter({ hasText: /missed/ })
-    expect((await markdownOf(`${path}.md`)).split(words).length - 1, path).toBe(await missed.count())
-  }
-  for (const file of readdirSync('content/docs')) {
-    const text = await markdownOf(`/docs/${file.replace('.mdx', '.md')}`)
-    const prose = text.replace(/^```[\s\S]*?^```/gm, 'code')
-    expect(prose, file).not.toContain('\n\n\n')
-    const links = [...prose.matchAll(/\]\(([^)]+)\)/g)].map(([, to]) => to)
-    expect(links.filter((to) => !/^(https?:|#)/.test(to) || /\/docs\/[\w-]+(#|$)/.test(to))).toEqual([])
-  }
-})
-
 test('beside a page stand its headings, in their words', async ({ page }) => {
   await page.setViewportSize({ width: 1400, height: 800 })
-  for (const file of readdirSync('content/docs')) {
-    await page.goto(`/docs/${file.replace('.mdx', '')}`)
+  for (const path of docs) {
+    await page.goto(path)
     const beside = page.getByRole('navigation', { name: 'On this page' }).getByRole('link')
     const headings = page.locator('#content :is(h2, h3)[id]')
-    expect(await beside.allTextContents(), file).toEqual(
+    expect(await beside.allTextContents(), path).toEqual(
       (await headings.allTextContents()).map((words) => words.replace(/#$/, '')),
     )
   }
@@ -95,31 +54,6 @@ test('Previous and Next go through the docs in the order of their list', async (
       [order[i - 1], order[i + 1]].filter(Boolean),
     )
   }
-})
-
-test('the package manager and the way to install are remembered on every page', async ({ page }) => {
-  await page.goto('/docs/gravity-stack')
-  await page.getByRole('tab', { name: 'Manual' }).click()
-  await page.locator('#install-manual').getByRole('tab', { name: 'pnpm' }).click()
-  await expect(page.getByText('pnpm add motion')).toBeVisible()
-
-  await page.goto('/')
-  await expect(page.getByText('pnpm dlx shadcn@latest add')).toBeVisible()
-  await expect(page.getByText('npx shadcn@latest add')).toBeHidden()
-  await page.goto('/docs/gravity-stack')
-  await expect(page.locator('#install-manual')).toBeVisible()
-  await expect(page.locator('#install-cli')).toBeHidden()
-})
-
-test('a choice saved by another version of the site hides nothing', async ({ page }) => {
-  await page.addInitScript(() => {
-    localStorage.setItem('theme', 'sepia')
-    localStorage.setItem('package-manager', 'cargo')
-    localStorage.setItem('install', 'curl')
-  })
-  await page.goto('/docs/gravity-stack')
-  await expect(page.getByText('npx shadcn@latest add').first()).toBeVisible()
-  await expect(page.getByRole('tab', { name: 'npm' }).first()).toHaveAttribute('aria-selected', 'true')
 })
 
 test('tabs are one stop for the keyboard; arrows, Home and End go from one to another and scroll nothing', async ({

@@ -1,4 +1,9 @@
+import { readdirSync } from 'node:fs'
 import { test as base, type Page } from '@playwright/test'
+
+/** Addresses of the docs, and of all pages of the site. */
+export const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
+export const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
 
 /**
  * Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page, down to its
