@@ -202,48 +202,6 @@ export function Figure({
   )
 }
 
-export function Slider({
-  label,
-  value,
-  min,
-  max,
-  step = 1,
-  unit = '',
-  onChange,
-}: {
-  label: string
-  value: number
-  min: number
-  max: number
-  step?: number
-  unit?: string
-  onChange: (value: number) => void
-}) {
-  const id = useId()
-  const said = [value.toLocaleString('en'), unit].filter(Boolean).join('\u00a0')
-  return (
-    <div className="min-w-[min(10rem,100%)] flex-1">
-      <div className="flex justify-between gap-4">
-        <label htmlFor={id}>{label}</label>
-        <span aria-hidden="true" className="text-muted-foreground tabular-nums">
-          {said}
-        </span>
-      </div>
-      <input
-        id={id}
-        type="range"
-        min={min}
-        max={max}
-        step={step}
-        value={value}
-        aria-valuetext={said}
-        onChange={(event) => onChange(Number(event.target.value))}
-        className="mt-1 w-full accent-foreground"
-      />
-    </div>
-  )
-}
-
 /** One figure of a readout: what it is, then how much. */
 export function Value({ of, children }: { of: string; children: ReactNode }) {
   return (

@@ -3,8 +3,9 @@
 import { useState } from 'react'
 import { shortFigure } from '@/lib/figure'
 import { flight } from '@/scenes/references'
+import { Slider } from '../slider'
 import { chipColours, drawChip, drawText } from './draw'
-import { Figure, Slider, Value } from './figure'
+import { Figure, Value } from './figure'
 import { record } from './record'
 import { useLazy } from './use-lazy'
 

@@ -2,8 +2,9 @@
 
 import { useState } from 'react'
 import { pillsImpact } from '@/scenes/references'
+import { Slider } from '../slider'
 import { chipColours, drawChip, drawLine } from './draw'
-import { Figure, Slider, Value } from './figure'
+import { Figure, Value } from './figure'
 import { record } from './record'
 import { useLazy } from './use-lazy'
 

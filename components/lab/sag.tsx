@@ -1,8 +1,9 @@
 'use client'
 
 import { useState } from 'react'
+import { Slider } from '../slider'
 import { chipColours, drawChip, drawLine, drawText } from './draw'
-import { Figure, Slider, Value } from './figure'
+import { Figure, Value } from './figure'
 import { record } from './record'
 import { softStack } from './soft-stack'
 import { useLazy } from './use-lazy'

@@ -1,5 +1,6 @@
 import { type ReactNode, useId } from 'react'
 import { looks, ranges, type Settings, shapes } from '@/lib/playground'
+import { Slider } from '../slider'
 
 /** A field for each of the settings. */
 export function Fields({
@@ -48,13 +49,11 @@ export function Fields({
   )
 }
 
-function Field({ label, children }: { label: ReactNode; children: (id: string) => ReactNode }) {
+function Field({ label, children }: { label: string; children: (id: string) => ReactNode }) {
   const id = useId()
   return (
     <div className="flex flex-col gap-1.5">
-      <label htmlFor={id} className="flex flex-wrap justify-between gap-x-4">
-        {label}
-      </label>
+      <label htmlFor={id}>{label}</label>
       {children(id)}
     </div>
   )
@@ -74,34 +73,17 @@ function Range({
   onChange: (next: Partial<Settings>) => void
 }) {
   const [min, max, step] = ranges[of]
-  const said = [value.toLocaleString('en'), unit].filter(Boolean).join('\u00a0')
   return (
-    <Field
-      label={
-        <>
-          {/* Props have their name as it is in the code. */}
-          <span className={label === of ? 'font-mono text-[0.8125rem]' : undefined}>{label}</span>
-          {/* A screen reader hears it as the slider's value. */}
-          <span aria-hidden="true" className="text-muted-foreground tabular-nums">
-            {said}
-          </span>
-        </>
-      }
-    >
-      {(id) => (
-        <input
-          id={id}
-          type="range"
-          min={min}
-          max={max}
-          step={step}
-          value={value}
-          aria-valuetext={said}
-          onChange={(event) => onChange({ [of]: Number(event.target.value) })}
-          className="w-full accent-foreground"
-        />
-      )}
-    </Field>
+    <Slider
+      // Props have their name as it is in the code.
+      label={<span className={label === of ? 'font-mono text-[0.8125rem]' : undefined}>{label}</span>}
+      value={value}
+      min={min}
+      max={max}
+      step={step}
+      unit={unit}
+      onChange={(next) => onChange({ [of]: next })}
+    />
   )
 }
 
