@@ -9,7 +9,7 @@ import type { Ledger } from './ledger'
 /** Seeds from which a chaotic scene is filmed at other settings than the default. */
 const fewSeeds = 3
 
-export type ErrorJob = Extract<Job, { kind: 'errors' }>
+type ErrorJob = Extract<Job, { kind: 'errors' }>
 export type Films = ReturnType<typeof openFilms>
 
 export function openFilms(

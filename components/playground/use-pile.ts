@@ -56,8 +56,9 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
       elements[chip].style.transform =
         `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
     })
+    if (!canvas.current) return
     const words = elements.map((chip) => chip.textContent ?? '')
-    if (canvas.current) drawOverlay(canvas.current, pile.current!, words)
+    drawOverlay(canvas.current, pile.current!, words)
   }
 
   function step() {
