@@ -1,0 +1,158 @@
+// A check that can't fail says nothing: each one here meets a solver that is broken in just the way it watches for.
+import { afterEach, describe, expect, it, vi } from 'vitest'
+import { SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/body'
+import type { World } from '../registry/gravity-stack/world'
+import { scenes } from '../scenes'
+import type { Check, FuzzScene } from '../scenes/fuzzed'
+import type { HardFigures, HardScene } from '../scenes/hard'
+import { type Chip, conditions, numbersPerChip } from '../scenes/scene'
+import { ours } from './engines/ours'
+import { filmScene } from './film'
+import { playFuzz } from './fuzz-run'
+import { hardRows, misses } from './hard-run'
+
+type Fault = (state: Float64Array, step: number, resting: boolean) => void
+
+let fault: Fault | undefined
+let restless = false
+
+vi.mock(import('../registry/gravity-stack/world'), async (load) => {
+  const real = await load()
+  return {
+    ...real,
+    createWorld(options) {
+      const world: World = real.createWorld(options)
+      const { step } = world
+      let steps = 0
+      return Object.create(world, {
+        step: {
+          value(seconds: number) {
+            step(seconds)
+            fault?.(world.scene.bodies.state, ++steps, world.resting)
+          },
+        },
+        resting: { get: () => world.resting && !restless },
+      })
+    },
+  }
+})
+
+afterEach(() => {
+  fault = undefined
+  restless = false
+})
+
+/** Adds to a number of one body, the first being 1, from a step on, or in that one alone. */
+const adds =
+  (body: number, at: number, amount: number, from: number, to = Number.POSITIVE_INFINITY): Fault =>
+  (state, step) => {
+    if (step >= from && step <= to) state[body * STATE + at] += amount
+  }
+
+const shiftsAtRest =
+  (by: number): Fault =>
+  (state, _, resting) => {
+    if (resting) state[2 * STATE + Y] += by
+  }
+
+const air = { ...conditions, linearDamping: 0.35, angularDamping: 1.4 }
+const box = (x: number, y: number): Chip => ({ width: 60, height: 20, x, y, angle: 0 })
+const stage = { width: 640, height: 340 }
+
+describe('a hard scene shows', () => {
+  /** All that a scene may be asked, of three boxes one on another and one beside them. */
+  const tower: HardScene = {
+    name: 'tower',
+    title: 'Three boxes stand',
+    ...stage,
+    seconds: 2,
+    conditions: air,
+    seeds: 1,
+    build: () => [box(320, 330), box(320, 310), box(320, 290), box(100, 330)],
+    plate: 3,
+    bounds: {
+      lost: 0,
+      outside: 1,
+      gain: 0.001,
+      loss: 0.01,
+      overlap: 0.05,
+      'overlap during': 0.2,
+      speed: 1000,
+      drift: 1,
+      asleep: 1,
+      hanging: 0,
+      through: 0,
+    },
+  }
+  const last = 120
+  const faults: Record<keyof HardFigures, { is: string; fault?: Fault }> = {
+    lost: { is: 'a speed that is no number', fault: adds(3, VX, Number.NaN, 50) },
+    outside: { is: 'a chip 1.5 px in the floor in one frame', fault: adds(1, Y, 1.5, 50, 50) },
+    gain: { is: 'a chip that rises by half a pixel', fault: adds(3, Y, -0.5, 50, 50) },
+    loss: { is: 'a chip that falls too low', fault: adds(3, Y, 20, last) },
+    overlap: { is: 'a chip 0.1 px too low in the end', fault: adds(2, Y, 0.1, last) },
+    'overlap during': { is: 'a chip 0.3 px too low in one frame', fault: adds(2, Y, 0.3, 10, 10) },
+    speed: { is: 'a chip shot away at 1,100 px/s', fault: adds(3, VX, 1100, 20, 20) },
+    drift: { is: 'a pixel and a half of creep', fault: adds(3, X, 1.5 / last, 1) },
+    asleep: { is: 'chips that never sleep' },
+    hanging: { is: 'a chip a pixel above the others', fault: adds(3, Y, -1, last) },
+    through: { is: 'a chip that comes out behind another', fault: adds(1, X, -300, 50, 50) },
+  }
+  for (const [figure, { is, fault: broken }] of Object.entries(faults)) {
+    it(`${figure}: ${is}`, () => {
+      expect(misses(hardRows(tower), tower.name)).toEqual([])
+      fault = broken
+      restless = figure === 'asleep'
+      expect(misses(hardRows(tower), tower.name)).toContain(figure)
+    })
+  }
+})
+
+describe('a random scene shows', () => {
+  const drop: FuzzScene = {
+    width: 640,
+    height: 340,
+    conditions: air,
+    chips: [box(100, 200), box(300, 330)],
+    acts: [],
+  }
+  const inOneAnother = { ...drop, chips: [box(300, 330), box(305, 325)] }
+  const faults: Record<Check, { is: string; scene?: FuzzScene; fault?: Fault }> = {
+    finite: { is: 'a spin that is no number', fault: adds(1, SPIN, Number.NaN, 5) },
+    outside: { is: 'a chip 1.5 px in the floor', fault: adds(2, Y, 1.5, 3, 3) },
+    energy: { is: 'a chip that starts to rise', fault: adds(1, VY, -600, 2, 2) },
+    recovery: { is: 'chips that part at 1,300 px/s', scene: inOneAnother, fault: adds(2, VX, 1300, 2, 2) },
+    asleep: { is: 'chips that never sleep' },
+    overlap: { is: 'a chip asleep 0.1 px in the floor', fault: shiftsAtRest(0.1) },
+    hanging: { is: 'a chip asleep above the floor', fault: shiftsAtRest(-1) },
+  }
+  for (const [check, { is, scene = drop, fault: broken }] of Object.entries(faults)) {
+    it(`${check}: ${is}`, () => {
+      expect(playFuzz(scene)).toBeUndefined()
+      fault = broken
+      restless = check === 'asleep'
+      expect(playFuzz(scene)?.check).toBe(check)
+    })
+  }
+})
+
+describe('a scene of the benchmark shows a film in which all is a little off', () => {
+  // All pours are measured alike.
+  const measured = scenes.filter(({ name }) => !name.startsWith('pour') || name === 'pour-mixed-60')
+  for (const scene of measured) {
+    it(scene.name, () => {
+      const { film } = filmScene(ours, scene, {})
+      const right = scene.measure(film)
+      for (let k = 1; k <= film.frames; k++) {
+        const state = film.at(k)
+        for (let at = 0; at < state.length; at += numbersPerChip) {
+          const way = at % (2 * numbersPerChip) ? 1 : -1
+          for (const [i, off] of [2 * way, 2, 0.05, 10 * way, 10, 0.2].entries()) state[at + i] += off
+        }
+      }
+      const wrong = scene.measure(film)
+      for (const [i, { name, target = 10 * right[i] }] of scene.measures.entries())
+        expect(wrong[i], name).toBeGreaterThan(target)
+    })
+  }
+})
