@@ -3,9 +3,21 @@
 import { type ComponentType, lazy, useEffect, useRef } from 'react'
 import { hydrateRoot } from 'react-dom/client'
 
-/** An example of registry/examples by its file's name; each is a file of its own for the browser. */
-async function load(name: string): Promise<ComponentType> {
-  const [Example] = Object.values<ComponentType>(await import(`@/registry/examples/${name}.tsx`))
+/** The files of registry/examples, each one of its own for the browser. A template for their names would list each of them twice in the script. */
+const examples: Record<string, () => Promise<Record<string, ComponentType>>> = {
+  'gravity-stack-actions-demo': () => import('@/registry/examples/gravity-stack-actions-demo'),
+  'gravity-stack-avatars-demo': () => import('@/registry/examples/gravity-stack-avatars-demo'),
+  'gravity-stack-demo': () => import('@/registry/examples/gravity-stack-demo'),
+  'gravity-stack-elevation-demo': () => import('@/registry/examples/gravity-stack-elevation-demo'),
+  'gravity-stack-footer-demo': () => import('@/registry/examples/gravity-stack-footer-demo'),
+  'gravity-stack-links-demo': () => import('@/registry/examples/gravity-stack-links-demo'),
+  'gravity-stack-shapes-demo': () => import('@/registry/examples/gravity-stack-shapes-demo'),
+  'gravity-stack-tag-cloud-demo': () => import('@/registry/examples/gravity-stack-tag-cloud-demo'),
+  'gravity-stack-tinted-demo': () => import('@/registry/examples/gravity-stack-tinted-demo'),
+}
+
+async function load(name: string) {
+  const [Example] = Object.values(await examples[name]())
   return Example
 }
 

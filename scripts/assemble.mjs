@@ -28,7 +28,10 @@ const headings = {
   simulation: 'what the stage calls',
   drop: 'where and when each chip starts',
   input: 'what a caller may pass, and what stands in for the rest',
-  stage: 'the DOM: measure, paint, point, observe, loop',
+  chip: 'how a chip looks, and how it is drawn',
+  pointers: 'presses, drags and taps',
+  view: 'what of a stage is in view',
+  stage: 'the DOM: measure, paint, observe, loop',
   'gravity-stack': 'the React component',
 }
 

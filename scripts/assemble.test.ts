@@ -33,6 +33,15 @@ describe('the one file', () => {
     const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
     expect(rooms[0]).toBe('constants')
     expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
-    expect(rooms.slice(-5)).toEqual(['simulation', 'drop', 'input', 'stage', 'component'])
+    expect(rooms.slice(-8)).toEqual([
+      'simulation',
+      'drop',
+      'input',
+      'chip',
+      'pointers',
+      'view',
+      'stage',
+      'component',
+    ])
   })
 })

@@ -1,12 +1,11 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
+import { type Chip, draw, look, round } from './chip'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { LIMITS, sane, warn, written } from './input'
+import { createPointers, FIRST, hearing } from './pointers'
 import { createWorld, type World } from './simulation'
-
-// The only room with a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
-// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
+import { shownAtMost, type View, watched, watcherOf } from './view'
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
@@ -17,12 +16,8 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** px that a corner moves before a chip is drawn again: a tenth, and what is lost to rounding. */
-const VISIBLE = 0.11
-/** Size of a held chip, as if pressed between two fingers. */
-const HELD_SCALE = 0.97
-/** px that a mouse moves before a press is a drag. */
-const DRAG_START = 4
+/** px², of what a corner moves before a chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+const VISIBLE = 0.0121
 /** px, height of the hop of a tapped chip. */
 const HOP = 36
 /** px, how high a shake throws at most. */
@@ -30,13 +25,6 @@ const SHAKE = 230
 /** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
 const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
-/** Elements that a press belongs to, and elements that a tap belongs to. */
-const EDITABLE =
-  'input, textarea, select, audio, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
-const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that are drawn over the page, not in the chip that they are of. */
-const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
-
 /** What the component was given; whatever a caller wrote. */
 export interface StageOptions {
   gravity?: number | undefined
@@ -60,109 +48,6 @@ export interface Stage {
   detach(): void
 }
 
-interface Chip {
-  element: HTMLElement
-  state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
-  width: number
-  height: number
-  radius: number
-  reach: number
-  /** Number of its release, and its time on the stage's clock, s. */
-  turn: number
-  due: number
-  /** In the world, or -1. */
-  id: number
-  /** Pose as drawn, and what draws it smaller in a hand. */
-  x: number
-  y: number
-  angle: number
-  pinch: string
-}
-
-/** A pointer that is down on a chip. It holds the chip once there is a grab. */
-interface Press {
-  chip: Chip
-  down: PointerEvent
-  /** Its last event. */
-  at: PointerEvent
-  /** From the stage's bounding box, as it is now, to its own px. */
-  toStage: DOMMatrix
-  box?: DOMRect
-  /** Client px, where it went down; a page that scrolls takes that along. */
-  fromX: number
-  fromY: number
-  /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
-  x: number
-  y: number
-  seconds: number
-  offX: number
-  offY: number
-  /** What it went down on. */
-  origin: Element
-  touch: boolean
-  moved?: boolean
-  timer?: ReturnType<typeof setTimeout>
-  grab?: ReturnType<World['grab']>
-}
-
-type View = typeof globalThis & Window
-
-const watchers = new WeakMap<View, IntersectionObserver>()
-const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
-
-/** Tells what is in view of those that are in `watched`; all stages of a window share it. */
-function watcherOf(view: View) {
-  let watcher = watchers.get(view)
-  if (!watcher) {
-    watcher = new view.IntersectionObserver(
-      (entries) => {
-        for (const entry of entries) watched.get(entry.target)?.(entry)
-      },
-      // Of a very tall stage even a hundredth may be all that fits.
-      { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
-    )
-    watchers.set(view, watcher)
-  }
-  return watcher
-}
-
-/** The element around another, outside of a shadow tree too. */
-function above(node: Element): Element | null | undefined {
-  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
-}
-
-/** Before any handler on the way that keeps events to itself. */
-const FIRST = { capture: true }
-
-/** Nothing comes of it, and nobody on the way hears of it. */
-function stop(event: Event) {
-  event.preventDefault()
-  event.stopPropagation()
-}
-
-/** Adds listeners that end with `controller`. */
-function hearing({ signal }: AbortController) {
-  return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
-    target.addEventListener(type, handler as EventListener, { signal, ...more })
-}
-
-/** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
-function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // By transforms, not far, and of some size: where there are columns it would go to another one.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
-    return probe
-  })
-  // All are written before any is read: one layout.
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
-  for (const probe of probes) probe.remove()
-  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
-    .scale(0.01)
-    .inverse()
-}
-
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
@@ -171,8 +56,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   const watcher = watcherOf(view)
   const still = view.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
-  /** Pointers that are down on a chip, by their id. */
-  const presses = new Map<number, Press>()
   /** Chips whose release is to come, the next one first. */
   let queue: Chip[] = []
   let bodies: Chip[] = []
@@ -204,11 +87,31 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let fetched = false
   let front = 0
   let kicks = 0
-  let swallowClick = false
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
-  /** The same for those that follow pointers while one is down. */
-  let pressing: AbortController | undefined
+  const pointers = createPointers(root, {
+    find(element) {
+      const chip = chips.get(element!)
+      return chip && chip.id >= 0 && live ? chip : undefined
+    },
+    take(chip, offX, offY) {
+      const poses = world!.scene.bodies.state
+      const x = poses[chip.id * STATE + X]
+      const y = poses[chip.id * STATE + Y]
+      fetched = false
+      toFront(chip)
+      return world!.grab(chip.id, x + offX, y + offY)
+    },
+    show(chip, state) {
+      mark(chip, state)
+      draw(chip)
+      sync()
+    },
+    tap(chip) {
+      kick(chip, HOP)
+      sync()
+    },
+  })
 
   // Shapes
 
@@ -252,10 +155,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   const changes = new MutationObserver((records) => {
     for (const { target } of records) reshape(target)
     collect()
-    // An element that React moves to another place loses the pointer.
-    presses.forEach((press) => {
-      if (press.moved || !press.origin.isConnected) capture(press)
-    })
+    pointers.recapture()
     sync()
   })
 
@@ -311,44 +211,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // What still waits is looked at when its turn comes: at first that would be all of them in one frame.
     if (chip.id < 0) return
     const { radius } = chip
-    look(chip)
+    look(chip, changes)
     if (known && chip.radius === radius) return
     world!.reshape(chip.id, chip)
     draw(chip)
     round(chip)
-  }
-
-  /** Reads the corner radius that a chip is drawn with, and watches what it comes from. */
-  function look(chip: Chip) {
-    // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
-    let face: CSSStyleDeclaration | undefined
-    let next: Element | null
-    for (let child = chip.element.firstElementChild; child; child = next) {
-      const style = getComputedStyle(child)
-      // One without a box of its own is drawn as what is in it.
-      next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
-      if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
-      // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
-      changes.observe(child, { attributeFilter: ['class', 'style'] })
-      face = style
-      break
-    }
-    if (!face) chip.element.style.borderRadius = ''
-    // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-    // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
-    const corners = (face ?? getComputedStyle(chip.element)).borderRadius
-      .replace(/(calc.)?infinity . /g, '9e9')
-      .split(/[ /]+/)
-    const short = Math.min(chip.width, chip.height)
-    chip.radius = Math.min(
-      ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
-      short / 2,
-    )
-  }
-
-  /** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
-  function round({ element, radius }: Chip) {
-    element.style.borderRadius = `${radius}px`
   }
 
   // Releases
@@ -395,16 +262,14 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Whether it waited for its release, so that those behind it are to move up. */
   function withdraw(chip: Chip) {
-    const waiting = queue.length
+    const waited = queue.includes(chip)
     queue = queue.filter((other) => other !== chip)
-    presses.forEach((press) => {
-      if (press.chip === chip) letGo(press)
-    })
+    pointers.letGo(chip)
     world?.remove(chip.id)
     delete bodies[chip.id]
     chip.id = -1
     mark(chip, 'waiting')
-    return queue.length < waiting
+    return waited
   }
 
   function release(chip: Chip) {
@@ -416,7 +281,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       const y = poses[other.id * STATE + Y]
       if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
     })
-    look(chip)
+    look(chip, changes)
     const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
     released = clock
     chip.id = world!.add({ ...chip, ...pose })
@@ -477,19 +342,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
     if (Number.isNaN(chip.x)) round(chip)
     // One corner at least has gone this far. A chip never drawn compares as not a number.
-    if (!(dx * dx + dy * dy + turned * turned < VISIBLE * VISIBLE)) {
+    if (!(dx * dx + dy * dy + turned * turned < VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle
       draw(chip)
     }
     if (chip.state !== 'held') mark(chip, asleep ? 'resting' : 'falling')
-  }
-
-  function draw(chip: Chip) {
-    const { element, x, y, angle } = chip
-    const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-    element.style.transform = at + chip.pinch
   }
 
   function mark(chip: Chip, next: Chip['state']) {
@@ -545,9 +404,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
     }
     live = running || next === 'resting'
-    if (!live || !idle) idleSince = undefined
-    else idleSince ??= performance.now()
-    if (!live) presses.forEach(letGo)
+    idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
+    if (!live) pointers.letGo()
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     // Not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower.
@@ -562,7 +420,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     fetched = false
     root.setAttribute('data-state', next)
     // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
-    root.toggleAttribute('data-halted', next === 'paused' || next === 'static')
+    root.toggleAttribute('data-halted', !live && next !== 'waiting')
     // After the frame: an error in it would end Motion's loop for the whole page.
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
@@ -595,39 +453,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       sync()
     })
     on(root, 'focusin', focus)
-    presses.forEach(letGo)
-    if (!options.interactive) return
-    // Not every drag ends in a click, and the next press may be on a label outside.
-    on(view, 'pointerdown', () => (swallowClick = false), FIRST)
-    on(root, 'pointerdown', down)
-    on(view, 'click', swallow, FIRST)
-    on(root, 'click', click, FIRST)
-    // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
-    on(view, 'touchstart', pinch, FIRST)
-    on(root, 'touchmove', scroll, { passive: false })
-  }
-
-  /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
-  function listenToPointers() {
-    pressing = new AbortController()
-    const on = hearing(pressing)
-    // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
-    on(view, 'dragstart', stop, FIRST)
-    on(view, 'pointermove', move, FIRST)
-    on(view, 'scroll', follow, FIRST)
-    on(view, 'pointerup', up, FIRST)
-    on(view, 'pointercancel', up, FIRST)
-    on(view, 'lostpointercapture', up, FIRST)
-  }
-
-  /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
-  function scroll(event: TouchEvent) {
-    if (event.cancelable && Array.from(presses.values()).some(({ grab }) => grab)) event.preventDefault()
-  }
-
-  /** Two fingers at once are the browser's. One may join another that already holds a chip. */
-  function pinch({ touches }: TouchEvent) {
-    if (touches[1] && !root.querySelector('[data-state=held]')) presses.forEach(letGo)
+    pointers.letGo()
+    if (options.interactive) pointers.listen(on)
   }
 
   function focus({ target }: { target: EventTarget | null }) {
@@ -648,11 +475,14 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (chip.id < 0) {
       started = true
       catchUp()
-      chip.due = clock
-      queue.sort((a, b) => a.due - b.due)
+      requeue()
     }
     if (unseen) bringIn(chip)
     sync()
+  }
+
+  function toFront(chip: Chip) {
+    chip.element.style.zIndex = `${++front}`
   }
 
   /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
@@ -662,164 +492,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (chip.id < 0) release(chip)
     world.place(chip.id, { y: chip.reach })
     world.eachMoved(paint)
-  }
-
-  // Pointers
-
-  function toFront(chip: Chip) {
-    chip.element.style.zIndex = `${++front}`
-  }
-
-  /** The chip in the world that an event is about, while the stage takes part in things. Of a stage in a chip the inner one is meant. */
-  function touched(event: Event) {
-    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
-    return chip && chip.id >= 0 && live && !within(chip, event, ELSEWHERE) ? chip : undefined
-  }
-
-  /** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
-  function within({ element }: Chip, event: Event, kind: string) {
-    const path = event.composedPath() as Element[]
-    return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
-  }
-
-  function down(event: PointerEvent) {
-    // Its last release may have been lost: to a dialog, another frame.
-    up(event)
-    const chip = touched(event)
-    if (!chip || event.button || event.ctrlKey) return
-    if (within(chip, event, EDITABLE)) return
-    const touch = event.pointerType === 'touch'
-    const press = {
-      chip,
-      down: event,
-      origin: event.target as Element,
-      fromX: event.clientX,
-      fromY: event.clientY,
-      touch,
-    } as Press
-    track(press, event)
-    press.offX = press.x - chip.x
-    press.offY = press.y - chip.y
-    if (!presses.size) listenToPointers()
-    presses.set(event.pointerId, press)
-    if (touch) {
-      press.timer = setTimeout(hold, TOUCH_HOLD, press)
-      // From what is taken off the page meanwhile the root would hear no more.
-      hearing(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
-    } else hold(press)
-  }
-
-  function track(press: Press, event: PointerEvent) {
-    // A page that scrolls moves the whole stage by as much as its bounding box; what is around it may grow, as under a pointer.
-    const box = root.getBoundingClientRect()
-    if (box.width !== press.box?.width || box.height !== press.box.height)
-      press.toStage = pointerMap(root, box)
-    // The same event again: the page has scrolled, and takes along where it went down.
-    if (event === press.at) {
-      press.fromX += box.x - press.box!.x
-      press.fromY += box.y - press.box!.y
-    }
-    press.box = box
-    const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
-    press.at = event
-    press.x = x
-    press.y = y
-    press.seconds = event.timeStamp / 1000
-  }
-
-  /** The page scrolls under a pointer that stands still. */
-  function follow() {
-    presses.forEach((press) => {
-      move(press.at)
-    })
-  }
-
-  function hold(press: Press) {
-    const { chip } = press
-    // Another hand may have it, or may have taken it while a finger waited.
-    if (chip.state === 'held') return letGo(press)
-    const { state: poses } = world!.scene.bodies
-    const x = poses[chip.id * STATE + X]
-    const y = poses[chip.id * STATE + Y]
-    clearTimeout(press.timer)
-    fetched = false
-    press.grab = world!.grab(chip.id, x + press.offX, y + press.offY)
-    press.grab.moveTo(press.x, press.y, press.seconds)
-    mark(chip, 'held')
-    // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
-    const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
-    const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
-    chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
-    toFront(chip)
-    draw(chip)
-    sync()
-  }
-
-  function move(event: PointerEvent) {
-    const press = presses.get(event.pointerId)
-    if (!press) return
-    // Its release was lost: to a menu of the system, an alert.
-    if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
-    track(press, event)
-    const dx = event.clientX - press.fromX
-    const dy = event.clientY - press.fromY
-    if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
-      // A finger that sets out up or down wants to scroll the page.
-      if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
-      press.moved = true
-      capture(press)
-      if (!press.grab) return hold(press)
-    }
-    press.grab?.moveTo(press.x, press.y, press.seconds)
-  }
-
-  function capture({ chip, down }: Press) {
-    try {
-      chip.element.setPointerCapture(down.pointerId)
-    } catch {
-      // A pointer that is gone, or made up by a script, can't be captured.
-    }
-  }
-
-  /** The pointer is up, or lost to the browser. */
-  function up(event: PointerEvent) {
-    const press = presses.get(event.pointerId)
-    if (!press) return
-    // The chip has taken it from what is inside it, or has it again.
-    if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
-    if (event.type === 'pointerup') move(event)
-    letGo(press)
-  }
-
-  function letGo(press: Press) {
-    presses.delete(press.down.pointerId)
-    if (!presses.size) pressing!.abort()
-    clearTimeout(press.timer)
-    if (press.moved) swallowClick = true
-    if (!press.grab) return
-    press.grab.release()
-    press.chip.pinch = ''
-    mark(press.chip, 'falling')
-    draw(press.chip)
-    sync()
-  }
-
-  /** A drag is no click. Nobody on the way to the stage hears of it either. */
-  function swallow(event: PointerEvent) {
-    // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
-    if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
-    swallowClick = false
-    stop(event)
-  }
-
-  /** A way to move a chip without dragging. */
-  function click(event: PointerEvent) {
-    // From a closed shadow tree the window is not told where the click is.
-    swallow(event)
-    const chip = touched(event)
-    if (event.defaultPrevented || !chip || within(chip, event, CONTROL)) return
-    kick(chip, HOP)
-    sync()
   }
 
   /** Sends a chip about `height` px up, a little aside and spinning. */
@@ -833,20 +505,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       vy: speed * (0.1 * either(2) - 0.9),
       spin: KICK_TWIST * speed * either(3),
     })
-  }
-
-  /** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
-  function shownAtMost({ rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
-    // A frame of another site is not told how large the window is, one of the same site that of the page around it.
-    let wide = Math.min(rootBounds?.width ?? Infinity, view.innerWidth)
-    let high = Math.min(rootBounds?.height ?? Infinity, view.innerHeight)
-    for (let node = above(root); node; node = above(node)) {
-      // What the body says of overflow counts for the window.
-      if (node === page.body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
-      wide = Math.min(wide, node.clientWidth)
-      high = Math.min(high, node.clientHeight)
-    }
-    return Math.min(wide, whole.width) * Math.min(high, whole.height)
   }
 
   function seen(entry: IntersectionObserverEntry) {
@@ -897,7 +555,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     },
     drop() {
       if (!world || still.matches) return
-      presses.forEach(letGo)
+      pointers.letGo()
       started = true
       pausing.current = false
       begin()
@@ -918,7 +576,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     detach() {
       inView = false
       sync()
-      presses.forEach(letGo)
+      pointers.letGo()
       watcher.unobserve(root)
       watched.delete(root)
       listening?.abort()

@@ -1,0 +1,62 @@
+// From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
+// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
+
+/** A child of the stage, in the element that the component wraps it in. */
+export interface Chip {
+  element: HTMLElement
+  state: 'waiting' | 'falling' | 'held' | 'resting'
+  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
+  width: number
+  height: number
+  radius: number
+  reach: number
+  /** Number of its release, and its time on the stage's clock, s. */
+  turn: number
+  due: number
+  /** In the world, or -1. */
+  id: number
+  /** Pose as drawn, and what draws it smaller in a hand. */
+  x: number
+  y: number
+  angle: number
+  pinch: string
+}
+
+/** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
+export function look(chip: Chip, changes: MutationObserver) {
+  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
+  let face: CSSStyleDeclaration | undefined
+  let next: Element | null
+  for (let child = chip.element.firstElementChild; child; child = next) {
+    const style = getComputedStyle(child)
+    // One without a box of its own is drawn as what is in it.
+    next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
+    if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
+    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
+    changes.observe(child, { attributeFilter: ['class', 'style'] })
+    face = style
+    break
+  }
+  if (!face) chip.element.style.borderRadius = ''
+  // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
+  // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
+  const corners = (face ?? getComputedStyle(chip.element)).borderRadius
+    .replace(/(calc.)?infinity . /g, '9e9')
+    .split(/[ /]+/)
+  const short = Math.min(chip.width, chip.height)
+  chip.radius = Math.min(
+    ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
+    short / 2,
+  )
+}
+
+/** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
+export function round({ element, radius }: Chip) {
+  element.style.borderRadius = `${radius}px`
+}
+
+export function draw(chip: Chip) {
+  const { element, x, y, angle } = chip
+  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
+  element.style.transform = at + chip.pinch
+}

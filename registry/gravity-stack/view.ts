@@ -1,0 +1,44 @@
+export type View = typeof globalThis & Window
+
+const watchers = new WeakMap<View, IntersectionObserver>()
+export const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
+
+/** Tells what is in view of those that are in `watched`; all stages of a window share it. */
+export function watcherOf(view: View) {
+  let watcher = watchers.get(view)
+  if (!watcher) {
+    watcher = new view.IntersectionObserver(
+      (entries) => {
+        for (const entry of entries) watched.get(entry.target)?.(entry)
+      },
+      // Of a very tall stage even a hundredth may be all that fits.
+      { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
+    )
+    watchers.set(view, watcher)
+  }
+  return watcher
+}
+
+/** The element around another, outside of a shadow tree too. */
+function above(node: Element): Element | null | undefined {
+  return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
+}
+
+/** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
+export function shownAtMost({
+  target: root,
+  rootBounds,
+  boundingClientRect: whole,
+}: IntersectionObserverEntry) {
+  const { body, defaultView } = root.ownerDocument
+  // A frame of another site is not told how large the window is, one of the same site that of the page around it.
+  let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
+  let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
+  for (let node = above(root); node; node = above(node)) {
+    // What the body says of overflow counts for the window.
+    if (node === body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
+    wide = Math.min(wide, node.clientWidth)
+    high = Math.min(high, node.clientHeight)
+  }
+  return Math.min(wide, whole.width) * Math.min(high, whole.height)
+}
