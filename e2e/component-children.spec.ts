@@ -16,6 +16,7 @@ const additions = [
   ['in front', '#first', 0],
   ['behind others', '#add', 8],
 ] as const
+
 for (const [where, button, at] of additions) {
   test(`a child added ${where} drops in; the drop of the others does not start again`, async ({
     stage,
@@ -154,6 +155,7 @@ const changes = {
   'is given a width': "document.getElementById('grow').click()",
   'gets a longer word': "document.getElementById('longer').click()",
 }
+
 for (const [what, change] of Object.entries(changes)) {
   test(`a chip that ${what} becomes its new shape in place and pushes its neighbours off gently`, async ({
     stage,
@@ -257,4 +259,46 @@ test('a picture that comes late falls once it has a size', async ({ stage, page 
   await stage.reaches('resting')
   expect(new Set(await stage.states())).toEqual(new Set(['resting']))
   expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a text that comes in front of others is a chip of its own, and theirs stay theirs', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'texts' })
+  const marked = () =>
+    stage.chips.evaluateAll((all) =>
+      all.map((chip) => `${chip.textContent} ${(chip as HTMLElement).dataset.mark ?? ''}`.trim()),
+    )
+  await stage.chips.evaluateAll((all) => {
+    for (const chip of all) (chip as HTMLElement).dataset.mark = chip.textContent!
+  })
+  await page.locator('#next').click()
+  await expect.poll(marked).toEqual(['first', 'second second', 'third third'])
+  await stage.reaches('resting')
+  await page.locator('#next').click()
+  await expect.poll(marked).toEqual(['second second', 'third third'])
+})
+
+test('drop() goes by the order of the children, not by when they came', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'front' })
+  await page.locator('#next').click()
+  await expect(stage.chips.first()).toHaveText('new')
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
+  await page.locator('#drop').click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  const order = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
+  expect(order.slice(-4)).toEqual([0, 1, 2, 3])
+})
+
+test('what a portal among the chips shows keeps what was typed there when a chip comes before it', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'portal' })
+  await page.getByLabel('elsewhere').fill('typed')
+  await page.locator('#next').click()
+  await expect(stage.chip('new')).toHaveAttribute('data-state', 'falling')
+  await expect(page.getByLabel('elsewhere')).toHaveValue('typed')
 })

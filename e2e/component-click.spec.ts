@@ -210,3 +210,161 @@ test('text in a field inside a chip is selected with the mouse; the chip stays',
     3,
   )
 })
+
+test('a tapped chip hops, though its own handler keeps the click to itself', async ({ stage }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.first()
+  await chip.evaluate((element) => {
+    element.firstElementChild!.addEventListener('click', (event) => event.stopPropagation())
+  })
+  expect(await stage.hop(chip)).toBeGreaterThan(5)
+})
+
+test('a tap makes a chip hop, also where all around it can have the focus', async ({ stage }) => {
+  await stage.settled('surroundings', { kind: 'focusable' })
+  expect(await stage.hop(stage.chip('three'))).toBeGreaterThan(20)
+})
+
+test('of a stage inside a chip of another one press takes the inner chip alone', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'nested' })
+  const inner = page.getByText('inner', { exact: true })
+  const box = (await inner.boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  const held = page.locator('[data-state=held]')
+  await expect(held).toHaveCount(1)
+  await expect(held).toHaveText('inner')
+  await page.mouse.up()
+})
+
+test('a press on a slider, or on what its owner has marked, is theirs; one on words that can’t be edited takes the chip', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'owned' })
+  for (const [what, state] of [
+    ['[role=slider]', 'resting'],
+    ['[data-slot=slider-track]', 'resting'],
+    ['[data-no-grab]', 'resting'],
+    ['[contenteditable=false]', 'held'],
+  ]) {
+    const box = await stage.root.locator(what).boundingBox()
+    await page.mouse.move(box!.x + box!.width / 2, box!.y + box!.height / 2)
+    await page.mouse.down()
+    await page.mouse.move(box!.x + box!.width / 2 + 40, box!.y + box!.height / 2 - 20, { steps: 6 })
+    await expect(stage.chips.filter({ has: page.locator(what) })).toHaveAttribute('data-state', state)
+    await page.mouse.up()
+    await stage.reaches('resting')
+  }
+})
+
+test('a press on a popover of a chip moves no chip; its words can be selected', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'popover' })
+  await expect(page.getByText('read me')).toHaveCSS('cursor', 'auto')
+  const box = (await page.getByText('read me').boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(box.x + 40, box.y - 60, { steps: 4 })
+  expect(await stage.states()).not.toContain('held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+  await page.getByText('read me').click({ clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`.trim())).toBe('read me')
+})
+
+test('a tap on a button in a shadow tree is the button’s: its chip does not hop', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'shadow' })
+  await page.evaluate(() =>
+    addEventListener('click', ({ target }) => {
+      if (target instanceof HTMLElement && target.shadowRoot) document.title = 'pressed'
+    }),
+  )
+  expect(await stage.hop(stage.chips.first())).toBeLessThan(10)
+  await expect(page).toHaveTitle('pressed')
+})
+
+test('clicks that miss a chip, as when it has hopped away, select no words of the page', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  await stage.root.evaluate((root) =>
+    root.after(Object.assign(document.createElement('p'), { textContent: 'words after the stage' })),
+  )
+  const { x, y } = (await stage.root.boundingBox())!
+  await page.mouse.click(x + 300, y + 40, { clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`)).toBe('')
+  await page.getByText('words after').click({ clickCount: 3 })
+  expect(await page.evaluate(() => `${getSelection()}`)).toContain('words after')
+})
+
+test('a control that is pressed and let go where it lies has its own size again', async ({ stage, page }) => {
+  await stage.settled('controls')
+  const chip = stage.chip('a button')
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect(await stage.scale(chip)).toBeCloseTo(0.97, 3)
+  await page.mouse.up()
+  await stage.reaches('resting')
+  expect(await stage.scale(chip)).toBeCloseTo(1, 3)
+})
+
+test('in a shadow tree that nobody sees into a drag is a click to nobody either', async ({ page }) => {
+  await page.goto('/surroundings?kind=closed')
+  const state = () =>
+    page.evaluate(
+      () =>
+        (window as unknown as { inside?: ShadowRoot }).inside?.querySelector<HTMLElement>(
+          '[data-slot=gravity-stack]',
+        )?.dataset.state,
+    )
+  await expect.poll(state).toBe('resting')
+  const { x, y } = await page.evaluate(() => {
+    const link = (window as unknown as { inside: ShadowRoot }).inside.querySelector('a')!
+    const box = link.getBoundingClientRect()
+    return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+  })
+  const clicks = await page.evaluateHandle(() => {
+    const heard: string[] = []
+    const { inside } = window as unknown as { inside: ShadowRoot }
+    inside.addEventListener('click', ({ type }) => heard.push(type))
+    return heard
+  })
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await page.mouse.move(x + 40, y - 60, { steps: 8 })
+  await page.mouse.up()
+  await expect.poll(state).toBe('resting')
+  expect(await clicks.jsonValue()).toEqual([])
+  await expect(page).not.toHaveURL(/#there$/)
+  // Nor to the stage: a word let go where it hangs falls, it doesn't hop.
+  const word = await page.evaluateHandle(
+    () => (window as unknown as { inside: ShadowRoot }).inside.querySelector('span')!,
+  )
+  const top = () => word.evaluate((element) => element.getBoundingClientRect().y)
+  const box = (await word.boundingBox())!
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(box.x + box.width / 2, box.y - 60, { steps: 8 })
+  let hung = Number.NaN
+  await expect
+    .poll(async () => {
+      const before = hung
+      hung = await top()
+      return Math.abs(hung - before)
+    })
+    .toBeLessThan(0.5)
+  const highest = word.evaluate(async (element) => {
+    let top = Number.POSITIVE_INFINITY
+    const stage = element.closest<HTMLElement>('[data-slot=gravity-stack]')!
+    while (stage.dataset.state === 'running') {
+      top = Math.min(top, element.getBoundingClientRect().y)
+      await new Promise(requestAnimationFrame)
+    }
+    return top
+  })
+  await page.mouse.up()
+  expect(await highest).toBeGreaterThan(hung - 10)
+})

@@ -249,3 +249,15 @@ test('a field that comes with the focus is in view when it lies', async ({ stage
   await stage.reaches('resting')
   await expect(page.getByLabel('new')).toBeInViewport({ ratio: 0.9 })
 })
+
+test('focus lets in a chip far back in the row at once, also in a stage that nobody has seen', async ({
+  stage,
+  page,
+}) => {
+  await page.setViewportSize({ width: 800, height: 600 })
+  await stage.open('controls', { above: 3000, stagger: 60000 })
+  await page.getByText('inner', { exact: true }).focus()
+  const chip = stage.chips.filter({ hasText: 'inner' })
+  await expect(chip).toHaveAttribute('data-state', 'resting')
+  await expect(page.getByText('inner', { exact: true })).toBeInViewport()
+})

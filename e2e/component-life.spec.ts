@@ -1,65 +1,4 @@
-import { hideTab } from './fixtures/hide-tab'
 import { expect, test } from './fixtures/stage'
-
-test('out of view the stage pauses, and goes on where it was', async ({ stage, page }) => {
-  await page.setViewportSize({ width: 800, height: 500 })
-  await stage.open('pile', { chips: 40, below: 2000 })
-  await expect(stage.chips.nth(5)).toHaveAttribute('data-state', 'falling')
-  await page.mouse.wheel(0, 1500)
-  await stage.reaches('paused')
-  expect(await stage.during('frames')).toBe(0)
-  expect(await stage.probe((probe) => probe.timers)).toBe(0)
-  const { poses } = await stage.pile()
-  expect(new Set(await layers(stage.chips))).toEqual(new Set(['auto']))
-  expect((await stage.pile()).poses).toEqual(poses)
-  await page.mouse.wheel(0, -1500)
-  await stage.reaches('resting')
-  expect(await stage.overlap()).toBeLessThan(1)
-  // A drop that began anew would have let go of the first ones twice.
-  const released = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
-  expect(released).toEqual([...Array(40).keys()])
-})
-
-test('a stage that folds up in mid-fall pauses, and goes on where it was once it opens', async ({
-  stage,
-}) => {
-  await stage.open('pile', { chips: 12 })
-  await expect(stage.chips.nth(3)).toHaveAttribute('data-state', 'falling')
-  // Without a height it still counts as in view.
-  await stage.root.evaluate((root) => {
-    root.style.height = '0'
-  })
-  await stage.reaches('paused')
-  expect(await stage.during('frames')).toBe(0)
-  expect(await stage.probe((probe) => probe.timers)).toBe(0)
-  await stage.root.evaluate((root) => {
-    root.style.height = ''
-  })
-  await stage.reaches('resting')
-  expect(await stage.overlap()).toBeLessThan(1)
-  const released = await stage.probe((probe) => probe.releases.map(([chip]) => chip))
-  expect(released).toEqual([...Array(12).keys()])
-})
-
-const layers = (chips: import('@playwright/test').Locator) =>
-  chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).willChange))
-
-test('in a hidden tab the stage pauses, and a held chip is let go', async ({ stage, page }) => {
-  await stage.open('pile', { chips: 2, stagger: 60000 })
-  const chip = stage.chips.nth(0)
-  await expect(chip).toHaveAttribute('data-state', 'resting')
-  await stage.drag(chip, 0, -40)
-  await expect(chip).toHaveAttribute('data-state', 'held')
-  await page.evaluate(hideTab, true)
-  await stage.reaches('paused')
-  await expect(chip).not.toHaveAttribute('data-state', 'held')
-  expect(await stage.during('frames')).toBe(0)
-  expect(await stage.probe((probe) => probe.timers)).toBe(0)
-  await page.evaluate(hideTab, false)
-  await stage.reaches('running')
-  await expect(chip).toHaveAttribute('data-state', 'resting')
-  await page.mouse.up()
-})
 
 test('after a hundred mounts nothing is left of any but the last', async ({ stage, page }) => {
   await stage.settled('mounts')
@@ -119,4 +58,62 @@ test('the browser keeps no node and no listener of a stage that has gone', async
   const after = await kept()
   expect(after.nodes - before.nodes).toBeLessThan(30)
   expect(after.listeners - before.listeners).toBeLessThan(5)
+})
+
+test('actions of a stage that has gone do nothing', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await page.evaluate(() => window.unmount())
+  expect(await page.evaluate(() => window.kept.map((act) => act()))).toEqual(Array(4).fill(undefined))
+  expect(await stage.during('frames')).toBe(0)
+  await expect(page.locator('#settled')).toHaveText('1')
+})
+
+test('a child that has gone is watched no more', async ({ stage, page }) => {
+  await stage.settled('children')
+  const watched = () => stage.probe((probe) => probe.observed.resize)
+  expect(await watched()).toBe(12)
+  await page.evaluate(() => window.remove('three'))
+  await expect(stage.chips).toHaveCount(10)
+  await expect.poll(watched).toBe(11)
+})
+
+test('what others put into the stage stays as they made it', async ({ stage }) => {
+  await stage.settled('pile', { chips: 3 })
+  const seen = await stage.root.evaluate(async (root) => {
+    const other = root.appendChild(document.createElement('div'))
+    other.style.cssText = 'position: absolute; width: 50px; height: 20px'
+    const before = other.outerHTML
+    await window.probe.pass(10)
+    return other.outerHTML === before
+  })
+  expect(seen).toBe(true)
+  await stage.reaches('resting')
+})
+
+test('a stage that goes just as a finger comes down on it leaves no timer behind', async ({ stage }) => {
+  await stage.settled('mounts')
+  await stage.chips.first().evaluate((chip) => {
+    const { x, y, width, height } = chip.getBoundingClientRect()
+    const at = { clientX: x + width / 2, clientY: y + height / 2 }
+    chip.dispatchEvent(new PointerEvent('pointerdown', { ...at, pointerType: 'touch', bubbles: true }))
+    document.querySelector<HTMLElement>('#toggle')!.click()
+  })
+  await stage.isGone()
+  expect(await stage.probe((probe) => probe.timers)).toBe(0)
+})
+
+test('a stage that was scaled to nothing and goes leaves no timer behind', async ({ stage, page }) => {
+  await stage.settled('mounts')
+  const toggle = () => page.locator('#toggle').evaluate((button: HTMLElement) => button.click())
+  await toggle()
+  await page.locator('main').evaluate((main) => {
+    main.style.transform = 'scale(0)'
+  })
+  await toggle()
+  await stage.reaches('waiting')
+  await expect.poll(() => stage.probe((probe) => probe.timers)).toBe(1)
+  await toggle()
+  await expect(stage.root).toHaveCount(0)
+  await stage.probe((probe) => probe.pass(30))
+  await stage.isGone()
 })

@@ -6,6 +6,7 @@ import { expect, type StagePage, test } from './fixtures/stage'
  * after each frame until all lies still. The frames are to be taken; events have times of their own as well, since a
  * hand that is late throws nothing.
  */
+
 async function toss({ stage, chips, hertz }: { stage: StagePage; chips: number; hertz: number }) {
   await stage.open('pile', { chips })
   await stage.reaches('running')
@@ -252,4 +253,166 @@ test('a chip that a mouse takes while a finger still waits on it stays with the 
   await expect(chip).toHaveAttribute('data-state', 'held')
   await fire(['pointerup', 1, 'mouse'])
   await stage.reaches('resting')
+})
+
+for (const kind of ['greedy', 'draggable']) {
+  test(`a chip is dragged where what is around it is ${kind}`, async ({ stage, page }) => {
+    await stage.settled('surroundings', { kind })
+    const chip = stage.chip('two')
+    const { y } = await stage.drag(chip, 0, -100)
+    await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(20)
+    await page.mouse.up()
+    await stage.reaches('resting')
+  })
+}
+
+test('a held chip stays with a pointer that stands still while the page scrolls', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'tall' })
+  const chip = stage.chip('two')
+  await stage.drag(chip, 0, -60)
+  await stage.hangs(chip)
+  const { y } = await stage.centre(chip)
+  await page.mouse.wheel(0, 60)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(60)
+  await expect.poll(async () => Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(5)
+  await page.mouse.up()
+})
+
+test('a chip that loses its size in a hand has left it, and falls anew when it has one again', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 0, -100)
+  const show = (display: string) =>
+    chip.evaluate((wrapper, display) => {
+      ;(wrapper.firstElementChild as HTMLElement).style.display = display
+    }, display)
+  await show('none')
+  await expect(chip).toHaveAttribute('data-state', 'waiting')
+  await page.mouse.move(300, 60, { steps: 3 })
+  await page.mouse.up()
+  await expect(chip).toHaveAttribute('data-state', 'waiting')
+  await show('')
+  await expect(chip).toHaveAttribute('data-state', 'resting')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+})
+
+test('a chip whose release was lost to something else is let go when the pointer comes back', async ({
+  stage,
+  page,
+}) => {
+  // Before the stage's own listener, as where the release never comes to the page.
+  await page.addInitScript(() =>
+    window.addEventListener('pointerup', (event) => event.stopImmediatePropagation(), {
+      capture: true,
+      once: true,
+    }),
+  )
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  const { x, y } = await stage.centre(chip)
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.move(x + 40, y - 60, { steps: 3 })
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await stage.reaches('resting')
+})
+
+test('a chip whose content captures the pointer itself is dragged like any other', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.nth(0)
+  await chip.evaluate(({ firstElementChild: face }) =>
+    face!.addEventListener('pointerdown', (event) =>
+      face!.setPointerCapture((event as PointerEvent).pointerId),
+    ),
+  )
+  const { y } = await stage.drag(chip, 0, -120)
+  await stage.hangs(chip)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  expect(Math.abs((await stage.centre(chip)).y - y)).toBeLessThan(30)
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+})
+
+test('a new order of the children leaves a chip in the hand that drags it', async ({ stage, page }) => {
+  await stage.settled('children')
+  const chip = stage.chip('one')
+  await stage.drag(chip, 0, -80)
+  await page.locator('#reverse').evaluate((button: HTMLElement) => button.click())
+  await expect(stage.chips.first()).toHaveText('eight')
+  await stage.probe((probe) => probe.pass(3))
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  const { x } = await stage.centre(chip)
+  const way = x < 320 ? 1 : -1
+  await page.mouse.move(x + way * 150, 100, { steps: 5 })
+  await stage.hangs(chip)
+  expect(way * ((await stage.centre(chip)).x - x)).toBeGreaterThan(100)
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+})
+
+test('taken from a hand that has stood still a chip falls straight down', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.nth(0)
+  const from = await stage.centre(chip)
+  const way = from.x < 250 ? 1 : -1
+  await stage.drag(chip, way * 150, -140, 2)
+  await stage.hangs(chip)
+  const { x } = await stage.centre(chip)
+  await page.locator('#pause').evaluate((button: HTMLElement) => button.click())
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  expect(Math.abs((await stage.centre(chip)).x - x)).toBeLessThan(15)
+  const watched = await chip.evaluateHandle((element) => {
+    const at = () => {
+      const box = element.getBoundingClientRect()
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 }
+    }
+    // Until it has fallen 40 px, with nothing in its way: on a busy machine few frames are a long time.
+    async function farthest() {
+      let way = 0
+      const from = at()
+      for (let now = from; now.y - from.y < 40; now = at()) {
+        way = Math.max(way, Math.abs(now.x - from.x))
+        await window.probe.pass(1)
+      }
+      return way
+    }
+    return { farthest: farthest() }
+  })
+  await page.locator('#resume').evaluate((button: HTMLElement) => button.click())
+  expect(await watched.evaluate(({ farthest }) => farthest)).toBeLessThan(15)
+  await page.mouse.up()
+})
+
+test('a chip falls when the first button goes up, though another is still down', async ({ stage, page }) => {
+  await stage.settled('pile', { chips: 3 })
+  const chip = stage.chips.first()
+  await stage.drag(chip, 0, -60)
+  await page.mouse.down({ button: 'right' })
+  await page.mouse.up()
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await page.mouse.up({ button: 'right' })
+  await stage.reaches('resting')
+})
+
+test('a chip whose release nobody heard falls when the same pointer presses another', async ({ stage }) => {
+  await stage.settled('pile', { chips: 3 })
+  const press = (n: number) =>
+    stage.chips.nth(n).evaluate((chip) => {
+      const { x, y, width, height } = chip.getBoundingClientRect()
+      const at = { clientX: x + width / 2, clientY: y + height / 2 }
+      chip.dispatchEvent(new PointerEvent('pointerdown', { ...at, pointerId: 1, bubbles: true }))
+    })
+  await press(0)
+  await press(1)
+  expect(await stage.states()).toEqual(['falling', 'held', 'resting'])
 })

@@ -34,6 +34,7 @@ async function readable(page: Page) {
     }
   })
 }
+
 const row = { between: 8, inside: true, upright: true, shown: true, below: 16, height: 340 }
 
 /** Waits until React has the page and the stage has begun. */
@@ -213,6 +214,31 @@ test.describe('with reduced motion', () => {
       (await new AxeBuilder({ page }).include('[data-slot=gravity-stack]').analyze()).violations,
     ).toEqual([])
   })
+
+  test('no hand and no touch in the row says that it can be grabbed', async ({ stage }) => {
+    await stage.open('pile')
+    await expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
+    await expect(stage.chips.first()).toHaveCSS('cursor', 'auto')
+    await expect(stage.chips.first()).toHaveCSS('touch-action', 'auto')
+  })
+
+  test('a chip of the row that has had the focus covers nothing that lies over the stage', async ({
+    stage,
+    page,
+  }) => {
+    await stage.open('controls')
+    await stage.root.evaluate((root) => {
+      const bar = document.createElement('nav')
+      bar.style.cssText = 'position: fixed; inset: 0; z-index: 1; pointer-events: auto'
+      root.parentElement!.before(bar)
+    })
+    await page.getByText('a button').focus()
+    const on = await page.getByText('a button').evaluate((button) => {
+      const { x, y } = button.getBoundingClientRect()
+      return document.elementFromPoint(x + 5, y + 5)?.tagName
+    })
+    expect(on).toBe('NAV')
+  })
 })
 
 test('what decorates a stage lies behind the chips, in the pile and on paper', async ({ stage, page }) => {
@@ -376,4 +402,15 @@ test('axe finds nothing while a chip is held', async ({ stage, page }) => {
   )
   await expect(chip).toHaveAttribute('data-state', 'held')
   await page.mouse.up()
+})
+
+test('a shake while motion is reduced is none, also once it is not', async ({ stage, page }) => {
+  await stage.settled('surroundings', { kind: 'front' })
+  const { poses } = await stage.pile()
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await stage.reaches('static')
+  await page.locator('#shake').click()
+  await page.emulateMedia({ reducedMotion: 'no-preference' })
+  await stage.reaches('resting')
+  expect((await stage.pile()).poses).toEqual(poses)
 })

@@ -111,3 +111,73 @@ test.describe('in an Activity that is hidden and shown again', () => {
     await stage.reaches('resting')
   })
 })
+
+test('ref, native props and style reach the stage', async ({ stage, page }) => {
+  await stage.settled('extras')
+  await expect(stage.root).toHaveAttribute('id', 'stage')
+  await expect(stage.root).toHaveAttribute('title', 'pile')
+  await expect(page.getByRole('group', { name: 'Topics' })).toHaveCount(1)
+  await expect(stage.root).toHaveCSS('outline-style', 'solid')
+  await page.locator('#read').click()
+  await expect(page.locator('#tag')).toHaveText('stage gravity-stack')
+})
+
+test('a new gravity takes hold of the pile as it lies', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const { poses } = await stage.pile()
+  await page.locator('#heavy').click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  for (const [i, { x, y }] of (await stage.pile()).poses.entries()) {
+    expect(Math.hypot(x - poses[i].x, y - poses[i].y)).toBeLessThan(20)
+  }
+})
+
+test('interactive takes effect at once, both ways, and lets go of what is held', async ({ stage, page }) => {
+  await stage.settled('extras')
+  const chip = stage.chips.nth(0)
+  await stage.drag(chip, 10, -60)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.locator('#still').evaluate((button: HTMLElement) => button.click())
+  await expect(chip).not.toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+  await stage.drag(chip, 10, -60)
+  expect(await stage.states()).not.toContain('held')
+  await page.mouse.up()
+  await page.locator('#still').click()
+  await stage.drag(chip, 10, -60)
+  await expect(chip).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+})
+
+test('a stage whose `interactive` changes before anyone has seen it drops as ever', async ({
+  stage,
+  page,
+}) => {
+  await page.addInitScript(() =>
+    addEventListener('DOMContentLoaded', () => {
+      document.body.style.paddingTop = '3000px'
+    }),
+  )
+  await stage.open('extras')
+  await page.waitForFunction(() => window.kept?.length)
+  await page.locator('#still').evaluate((button: HTMLElement) => button.click())
+  await page.evaluate(() => scrollTo(0, 3000))
+  await stage.reaches('running')
+  await stage.reaches('resting')
+})
+
+test('a chip stays in the hand when a render brings another object for `interactive`', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('surroundings', { kind: 'truthy' })
+  await stage.drag(stage.chips.first(), 20, -60)
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.locator('#next').evaluate((button: HTMLElement) => button.click())
+  await page.evaluate(() => window.probe.pass(3))
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+})

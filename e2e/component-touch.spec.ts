@@ -288,3 +288,41 @@ test('a button beside the stage hears its click, though a finger lets go of a ch
   await page.mouse.up()
   await expect(page.getByRole('button')).toHaveText('clicked')
 })
+
+test('a finger that swipes over a paused stage is the browser’s, whichever way it goes', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('extras')
+  await expect(stage.chips.first()).toHaveCSS('touch-action', 'pan-y pinch-zoom')
+  await page.locator('#pause').click()
+  await stage.reaches('paused')
+  await expect(stage.chips.first()).toHaveCSS('touch-action', 'auto')
+})
+
+test.describe('with fingers', () => {
+  test.use({ hasTouch: true, viewport: { width: 660, height: 500 } })
+
+  test('a second finger that moves on the empty stage takes no chip from the first', async ({
+    stage,
+    page,
+  }) => {
+    await stage.settled('pile', { chips: 5, above: 100, below: 1500 })
+    const session = await page.context().newCDPSession(page)
+    const chip = stage.chips.nth(1)
+    const first = { ...(await stage.centre(chip)), id: 0 }
+    const send = (type: 'touchStart' | 'touchMove', ...touchPoints: { x: number; y: number; id: number }[]) =>
+      session.send('Input.dispatchTouchEvent', { type, touchPoints })
+    await send('touchStart', first)
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    await send('touchStart', first, { x: 320, y: 300, id: 1 })
+    for (let y = 290; y >= 150; y -= 10) {
+      await send('touchMove', first, { x: 320, y, id: 1 })
+      await page.evaluate(() => window.probe.pass(1))
+    }
+    await expect(chip).toHaveAttribute('data-state', 'held')
+    expect(await page.evaluate(() => [scrollY, visualViewport!.scale])).toEqual([0, 1])
+    await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
+    await stage.reaches('resting')
+  })
+})

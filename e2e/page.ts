@@ -5,6 +5,8 @@ import { test as base, type Page } from '@playwright/test'
 export const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
 export const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
 
+export const playgroundStage = '[data-slot=playground-stage]'
+
 /**
  * Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page, down to its
  * last part. It begins as soon as some of its scripts are there, and a press before the others have come is lost.
