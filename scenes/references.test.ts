@@ -92,6 +92,19 @@ describe('the references', () => {
     expect(slid).toBeGreaterThan(50)
   })
 
+  it('strike a wall as they strike the floor', () => {
+    const body = { ...massOf({ width: 80, height: 30 }), rx: 11, ry: 15, vx: 300, vy: 420, spin: 6 }
+    for (const friction of [0.1, 2]) {
+      const floor = strike(body, 0, -1, 0.3, friction)
+      // All of it turned by a quarter: right becomes down, down becomes left.
+      const turned = { ...body, rx: -body.ry, ry: body.rx, vx: -body.vy, vy: body.vx }
+      const wall = strike(turned, 1, 0, 0.3, friction)
+      expect(wall.vx).toBeCloseTo(-floor.vy, 9)
+      expect(wall.vy).toBeCloseTo(floor.vx, 9)
+      expect(wall.spin).toBeCloseTo(floor.spin, 9)
+    }
+  })
+
   it('bounce a disc without loss at e = 1, and keep it on the stage', () => {
     const start = { x: 100, y: 100, vx: 700, vy: 0, spin: 0, radius: 20 }
     const end = bouncingDisc(
