@@ -258,6 +258,26 @@ test('back and forward go from anchor to anchor and from page to page', async ({
   expect(errors).toEqual([])
 })
 
+for (const [reducedMotion, fades] of [
+  ['no-preference', true],
+  ['reduce', false],
+] as const) {
+  test(`from page to page ${fades ? 'one fades into the other' : 'nothing fades where motion is reduced'}`, async ({
+    page,
+  }) => {
+    await page.emulateMedia({ reducedMotion })
+    await page.addInitScript(() => {
+      addEventListener('pagereveal', ({ viewTransition }) => {
+        document.documentElement.dataset.faded = `${!!viewTransition}`
+      })
+    })
+    await page.goto('/docs')
+    await link('Docs', 'Caveats')(page).click()
+    await page.waitForURL('**/docs/caveats')
+    await expect(page.locator('html')).toHaveAttribute('data-faded', `${fades}`)
+  })
+}
+
 test('chips and the ladder keep their colours on paper', async ({ page }) => {
   const surfaces = { '/': '[data-slot=gravity-stack-chip] > *', '/docs/elevation': '.dark li' }
   for (const [path, surface] of Object.entries(surfaces)) {
