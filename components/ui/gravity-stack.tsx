@@ -4477,6 +4477,26 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync()
   }
 
+  // Coming into view, and the focus
+
+  function seen(entry: IntersectionObserverEntry) {
+    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
+    inView = isIntersecting
+    if (inView && !listening) arm()
+    const unsized = inView && !(whole.width * whole.height)
+    if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
+      warn(
+        `a stage is ${root.clientWidth} px wide and ${root.clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
+      )
+    const area = shown.width * shown.height
+    // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
+    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
+    // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
+    clearTimeout(unseen)
+    if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
+    sync()
+  }
+
   /** The stage comes into view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
@@ -4551,24 +4571,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       vy: speed * (0.1 * either(2) - 0.9),
       spin: KICK_TWIST * speed * either(3),
     })
-  }
-
-  function seen(entry: IntersectionObserverEntry) {
-    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
-    inView = isIntersecting
-    if (inView && !listening) arm()
-    const unsized = inView && !(whole.width * whole.height)
-    if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
-      warn(
-        `a stage is ${root.clientWidth} px wide and ${root.clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
-      )
-    const area = shown.width * shown.height
-    // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
-    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
-    // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
-    clearTimeout(unseen)
-    if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
-    sync()
   }
 
   return {
