@@ -115,8 +115,24 @@ describe('the references', () => {
     )
     const energy = (s: { y: number; vx: number; vy: number }) => (s.vx ** 2 + s.vy ** 2) / 2 - 2600 * s.y
     expect(energy(end)).toBeCloseTo(energy(start), 4)
-    expect(end.x).toBeGreaterThan(20)
-    expect(end.x).toBeLessThan(620)
+    // To and fro between 20 and 620, as far as without walls.
+    const way = (80 + 700 * 7.3) % 1200
+    expect(end.x).toBeCloseTo(20 + Math.min(way, 1200 - way), 6)
+  })
+
+  it('spin a disc that bounces off a wall with friction, as much as what rolls there takes up', () => {
+    const start = { x: 500, y: 100, vx: 800, vy: 90, spin: 0, radius: 20 }
+    const end = bouncingDisc(
+      start,
+      { width: 640, height: 340 },
+      { gravity: 0, bounce: 0.5, friction: 2 },
+      0.3,
+    )
+    // A disc that strikes without slip keeps two thirds of its speed along the wall, and rolls on it.
+    expect(end.vx).toBeCloseTo(-400, 9)
+    expect(end.vy).toBeCloseTo(60, 9)
+    expect(Math.abs(end.spin)).toBeCloseTo(60 / 20, 9)
+    expect(end.x).toBeCloseTo(620 - 400 * (0.3 - 120 / 800), 9)
   })
 
   it('bounce a disc as high as e² says', () => {
@@ -149,7 +165,16 @@ describe('the references', () => {
     const kinetic = (mass * (vx ** 2 + vy ** 2) + inertia * end.spin ** 2) / 2
     const fallen = mass * 2600 * (topple(pill, 0.2, 2600, 0).height - end.height)
     expect(kinetic / fallen).toBeCloseTo(1, 9)
-    for (let t = 0; t <= 28 / 60; t += 1 / 60)
-      expect(topple(pill, 0.2, 2600, t).frictionNeeded).toBeLessThan(0.9)
+    const h = 1e-4
+    for (let t = 1 / 60; t <= 28 / 60; t += 1 / 60) {
+      const at = topple(pill, 0.2, 2600, t)
+      const [before, after] = [t - h, t + h].map((t) => topple(pill, 0.2, 2600, t))
+      // It moves as its place does, and needs what its motion asks of the floor.
+      expect((after.x - before.x) / (2 * h)).toBeCloseTo((15 + 30 * Math.cos(at.angle)) * at.spin, 2)
+      const ax = (after.x - 2 * at.x + before.x) / h ** 2
+      const ay = (after.height - 2 * at.height + before.height) / h ** 2
+      expect(at.frictionNeeded).toBeCloseTo(Math.abs(ax) / (2600 + ay), 4)
+      expect(at.frictionNeeded).toBeLessThan(0.9)
+    }
   })
 })
