@@ -3,12 +3,12 @@ import { afterEach, describe, expect, it, vi } from 'vitest'
 import { SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/body'
 import type { World } from '../registry/gravity-stack/world'
 import { scenes } from '../scenes'
-import type { Check, FuzzScene } from '../scenes/fuzzed'
-import type { HardFigures, HardScene } from '../scenes/hard'
+import { type Check, checks, type FuzzScene } from '../scenes/fuzzed'
+import { type HardFigures, type HardScene, hardUnits } from '../scenes/hard'
 import { type Chip, conditions, numbersPerChip } from '../scenes/scene'
 import { ours } from './engines/ours'
 import { filmScene } from './film'
-import { playFuzz } from './fuzz-run'
+import { lastLanding, playFuzz } from './fuzz-run'
 import { hardRows, misses } from './hard-run'
 
 type Fault = (state: Float64Array, step: number, resting: boolean) => void
@@ -85,20 +85,23 @@ describe('a hard scene shows', () => {
     },
   }
   const last = 120
-  const faults: Record<keyof HardFigures, { is: string; fault?: Fault }> = {
-    lost: { is: 'a speed that is no number', fault: adds(3, VX, Number.NaN, 50) },
-    outside: { is: 'a chip 1.5 px in the floor in one frame', fault: adds(1, Y, 1.5, 50, 50) },
-    gain: { is: 'a chip that rises by half a pixel', fault: adds(3, Y, -0.5, 50, 50) },
-    loss: { is: 'a chip that falls too low', fault: adds(3, Y, 20, last) },
-    overlap: { is: 'a chip 0.1 px too low in the end', fault: adds(2, Y, 0.1, last) },
-    'overlap during': { is: 'a chip 0.3 px too low in one frame', fault: adds(2, Y, 0.3, 10, 10) },
-    speed: { is: 'a chip shot away at 1,100 px/s', fault: adds(3, VX, 1100, 20, 20) },
-    drift: { is: 'a pixel and a half of creep', fault: adds(3, X, 1.5 / last, 1) },
-    asleep: { is: 'chips that never sleep' },
-    hanging: { is: 'a chip a pixel above the others', fault: adds(3, Y, -1, last) },
-    through: { is: 'a chip that comes out behind another', fault: adds(1, X, -300, 50, 50) },
-  }
-  for (const [figure, { is, fault: broken }] of Object.entries(faults)) {
+  const faults: [keyof HardFigures, is: string, Fault?][] = [
+    ['lost', 'a speed that is no number', adds(3, VX, Number.NaN, 50)],
+    ['outside', 'a chip 1.5 px in the floor in one frame', adds(1, Y, 1.5, 50, 50)],
+    ['outside', 'a chip 1.5 px in the left wall', adds(4, X, -71.5, 50, 50)],
+    ['outside', 'a chip 1.5 px in the right wall', adds(3, X, 291.5, 50, 50)],
+    ['gain', 'a chip that rises by half a pixel', adds(3, Y, -0.5, 50, 50)],
+    ['gain', 'a chip that sets out at 40 px/s', adds(4, VX, 40, 50, 50)],
+    ['loss', 'a chip that falls too low', adds(3, Y, 20, last)],
+    ['overlap', 'a chip 0.1 px too low in the end', adds(2, Y, 0.1, last)],
+    ['overlap during', 'a chip 0.3 px too low in one frame', adds(2, Y, 0.3, 10, 10)],
+    ['speed', 'a chip shot away at 1,100 px/s', adds(3, VX, 1100, 20, 20)],
+    ['drift', 'a pixel and a half of creep', adds(3, X, 1.5 / last, 1)],
+    ['asleep', 'chips that never sleep'],
+    ['hanging', 'a chip a pixel above the others', adds(3, Y, -1, last)],
+    ['through', 'a chip that comes out behind another', adds(1, X, -300, 50, 50)],
+  ]
+  for (const [figure, is, broken] of faults) {
     it(`${figure}: ${is}`, () => {
       expect(misses(hardRows(tower), tower.name)).toEqual([])
       fault = broken
@@ -106,6 +109,10 @@ describe('a hard scene shows', () => {
       expect(misses(hardRows(tower), tower.name)).toContain(figure)
     })
   }
+
+  it('whatever it may show', () => {
+    expect(new Set(faults.map(([figure]) => figure))).toEqual(new Set(Object.keys(hardUnits)))
+  })
 })
 
 describe('a random scene shows', () => {
@@ -117,16 +124,19 @@ describe('a random scene shows', () => {
     acts: [],
   }
   const inOneAnother = { ...drop, chips: [box(300, 330), box(305, 325)] }
-  const faults: Record<Check, { is: string; scene?: FuzzScene; fault?: Fault }> = {
-    finite: { is: 'a spin that is no number', fault: adds(1, SPIN, Number.NaN, 5) },
-    outside: { is: 'a chip 1.5 px in the floor', fault: adds(2, Y, 1.5, 3, 3) },
-    energy: { is: 'a chip that starts to rise', fault: adds(1, VY, -600, 2, 2) },
-    recovery: { is: 'chips that part at 1,300 px/s', scene: inOneAnother, fault: adds(2, VX, 1300, 2, 2) },
-    asleep: { is: 'chips that never sleep' },
-    overlap: { is: 'a chip asleep 0.1 px in the floor', fault: shiftsAtRest(0.1) },
-    hanging: { is: 'a chip asleep above the floor', fault: shiftsAtRest(-1) },
-  }
-  for (const [check, { is, scene = drop, fault: broken }] of Object.entries(faults)) {
+  const faults: [Check, is: string, Fault?, FuzzScene?][] = [
+    ['finite', 'a spin that is no number', adds(1, SPIN, Number.NaN, 5)],
+    ['outside', 'a chip 1.5 px in the floor', adds(2, Y, 1.5, 3, 3)],
+    ['outside', 'a chip 1.5 px in the left wall', adds(1, X, -71.5, 3, 3)],
+    ['energy', 'a chip that starts to rise', adds(1, VY, -600, 2, 2)],
+    ['energy', 'a chip that sets out along the floor', adds(2, VX, 100, 2, 2)],
+    ['energy', 'a chip that is lifted', adds(2, Y, -1, 2, 2)],
+    ['recovery', 'chips that part at 1,300 px/s', adds(2, VX, 1300, 2, 2), inOneAnother],
+    ['asleep', 'chips that never sleep'],
+    ['overlap', 'a chip asleep 0.1 px in the floor', shiftsAtRest(0.1)],
+    ['hanging', 'a chip asleep above the floor', shiftsAtRest(-1)],
+  ]
+  for (const [check, is, broken, scene = drop] of faults) {
     it(`${check}: ${is}`, () => {
       expect(playFuzz(scene)).toBeUndefined()
       fault = broken
@@ -134,6 +144,22 @@ describe('a random scene shows', () => {
       expect(playFuzz(scene)?.check).toBe(check)
     })
   }
+
+  it('whatever is checked', () => {
+    expect(new Set(faults.map(([check]) => check))).toEqual(new Set(Object.keys(checks)))
+  })
+
+  it('who sleeps late, from when the last chip can have landed', () => {
+    // From the top of the stage a fall takes half a second and each bounce half as long as what came before it.
+    const fall = { ...drop, conditions: { ...air, gravity: 2720, bounce: 0.5 }, chips: [box(100, 0)] }
+    expect(lastLanding(fall)).toBeCloseTo(1.5, 9)
+    const thrown = { ...fall, chips: [{ ...box(100, 340), vx: 300, vy: 400 }] }
+    expect(lastLanding(thrown)).toBeCloseTo((3 * 1000) / 2720, 9)
+    const dragged: FuzzScene = { ...thrown, acts: [{ do: 'drag', frame: 30, chip: 0, x: 100, y: 340 }] }
+    expect(lastLanding(dragged)).toBeCloseTo(1 + (3 * 3600) / 2720, 9)
+    const placed: FuzzScene = { ...thrown, acts: [{ do: 'place', frame: 60, chip: 0, x: 100, y: -1020 }] }
+    expect(lastLanding(placed)).toBeCloseTo(1 + (3 * (500 + Math.sqrt(500 ** 2 + 2 * 2720 * 1360))) / 2720, 9)
+  })
 })
 
 describe('a scene of the benchmark shows a film in which all is a little off', () => {

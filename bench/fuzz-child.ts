@@ -4,4 +4,4 @@ import { playFuzz } from './fuzz-run'
 import { survey } from './fuzz-search'
 
 const failing = foundScenes.filter(({ scene, check }) => playFuzz(scene, check)).map(({ name }) => name)
-console.log(JSON.stringify({ misses: survey(1, 0), failing }))
+console.log(JSON.stringify({ ...survey(1, 0), failing }))

@@ -54,7 +54,7 @@ function asked(scene: FuzzScene) {
 }
 
 /** s after which nothing can be in the air any more: flight up and down from the highest start, and its bounces. */
-function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
+export function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
   const { gravity, bounce } = conditions
   const highest = Math.max(
     0,
@@ -74,8 +74,11 @@ function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
   return acted + (flight * (1 + bounce)) / (1 - bounce)
 }
 
-/** Plays a scene and gives the first thing that went wrong; undefined if all holds. `only` looks at one check. */
-export function playFuzz(given: FuzzScene, only?: Check): Failure | undefined {
+/**
+ * Plays a scene and gives the first thing that went wrong; undefined if all holds. `only` looks at one check. What was
+ * asked is put into `made`.
+ */
+export function playFuzz(given: FuzzScene, only?: Check, made = new Set<Check>()): Failure | undefined {
   const scene = sane(given)
   const { gravity } = scene.conditions
   const ask = asked(scene)
@@ -101,6 +104,8 @@ export function playFuzz(given: FuzzScene, only?: Check): Failure | undefined {
   const acted = Math.max(0, ...scene.acts.map((act) => act.frame + dragFrames))
   const deadline = Math.ceil((lastLanding(scene) + 6) / frame)
   const frames = Math.max(acted + 30, ask.asleep ? deadline : Math.round(glimpse / frame))
+  made.add('finite').add('outside')
+  for (const check of ['energy', 'recovery', 'asleep'] as const) if (ask[check]) made.add(check)
   for (let k = 1; k <= frames; k++) {
     for (let n = drags.length - 1; n >= 0; n--) if (k >= drags[n].until) drags.splice(n, 1)[0].release()
     for (const [n, act] of scene.acts.entries()) {
@@ -147,7 +152,10 @@ export function playFuzz(given: FuzzScene, only?: Check): Failure | undefined {
       if (!(now <= most)) failure = failed('energy', k, now / put - 1)
     }
     if (failure) return failure
-    if (world.resting && k > acted) return atRest(chips, ids, world, stage, ask, k, failed)
+    if (world.resting && k > acted) {
+      for (const check of ['overlap', 'hanging'] as const) if (ask[check]) made.add(check)
+      return atRest(chips, ids, world, stage, ask, k, failed)
+    }
   }
   if (ask.asleep)
     return failed('asleep', frames, ids.filter((id, i) => chips[i] && !world.read(id).asleep).length)

@@ -11,12 +11,15 @@ export type Misses = { count: number; worst: number }
 
 const options = (seed: number, index: number, numRuns: number) => ({ seed: 1000 * seed + index, numRuns })
 
-/** How often each check failed in a block, and by how much at worst. */
+/** Of how many scenes of a block each check was asked, how often it failed, and by how much at worst. */
 export function survey(seed: number, index: number, numRuns = block, only?: Check) {
+  const asked: Partial<Record<Check, number>> = {}
   const misses: Partial<Record<Check, Misses>> = {}
   fc.assert(
     fc.property(anyScene, (scene) => {
-      const failure = playFuzz(scene, only)
+      const made = new Set<Check>()
+      const failure = playFuzz(scene, only, made)
+      for (const check of made) asked[check] = 1 + (asked[check] ?? 0)
       if (!failure) return
       const known = misses[failure.check]
       misses[failure.check] = {
@@ -26,7 +29,7 @@ export function survey(seed: number, index: number, numRuns = block, only?: Chec
     }),
     options(seed, index, numRuns),
   )
-  return misses
+  return { asked, misses }
 }
 
 /** The first scene of a block that fails a check, made as small as it goes: fewer chips, simpler numbers. */

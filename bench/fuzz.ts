@@ -30,9 +30,9 @@ const foundFile = pathOf('../scenes/found.json')
 const load = (): Found[] => fromJson(readFileSync(foundFile, 'utf8'))
 
 if (values.accept) {
-  const misses = survey(1, 0)
+  const { asked, misses } = survey(1, 0)
   const counts = Object.fromEntries(Object.entries(misses).map(([check, { count }]) => [check, count]))
-  writeFileSync(pathOf('./fuzz-misses.json'), `${toJson(counts)}\n`)
+  writeFileSync(pathOf('./fuzz-accepted.json'), `${toJson({ asked, misses: counts })}\n`)
   const found = load().map(({ name, check, scene }) => {
     const open = playFuzz(scene, check) !== undefined
     console.log(`${name}: ${open ? 'open' : 'holds'}`)
@@ -47,7 +47,7 @@ const total = new Map<Check, number>()
 const first = new Map<Check, number>()
 for (let index = Number(values.from), played = 0; played < scenes; index++) {
   const numRuns = Math.min(block, scenes - played)
-  const misses = survey(seed, index, numRuns, only)
+  const { misses } = survey(seed, index, numRuns, only)
   played += numRuns
   for (const [check, { count }] of Object.entries(misses) as [Check, { count: number }][]) {
     total.set(check, count + (total.get(check) ?? 0))
