@@ -53,7 +53,7 @@ function resultsOf(
 
 describe('the frontier', () => {
   it('keeps what nobody beats, from cheap to dear', () => {
-    const all = [point('a', 1, 9), point('b', 2, 9), point('c', 3, 4), point('d', 4, 5), point('e', 9, 1)]
+    const all = [point('e', 9, 1), point('b', 2, 9), point('d', 4, 5), point('a', 1, 9), point('c', 3, 4)]
     expect(frontier(all).map(({ engine }) => engine)).toEqual(['a', 'c', 'e'])
   })
 
@@ -66,14 +66,18 @@ describe('the claim', () => {
   it('holds where peers are dearer or further off', () => {
     const [verdict] = verdicts(
       resultsOf([
+        ['gravity-stack', 2, 4, 0.9],
         ['gravity-stack', null, 10, 0.01],
         ['planck', 4, 5, 2],
+        // Five per cent more than ours is as cheap.
+        ['planck', 8, 10.4, 1],
         ['planck', 16, 30, 0.5],
+        ['rapier', 16, 70, 0.001],
         ['rapier', 8, 40, 0.005],
       ]),
     )
-    expect(verdict.beaten).toEqual([])
-    expect(verdict.asCheap).toMatchObject({ engine: 'planck', error: 2, factor: 200 })
+    expect(verdict).toMatchObject({ cost: 10, error: 0.01, beaten: [], tied: [] })
+    expect(verdict.asCheap).toMatchObject({ engine: 'planck', error: 1, factor: 100 })
     expect(verdict.asExact).toMatchObject({ engine: 'rapier', cost: 40, factor: 4 })
   })
 
@@ -92,10 +96,11 @@ describe('the claim', () => {
       resultsOf([
         ['gravity-stack', null, 10, 3e-13],
         ['planck', 1, 5, 1e-14],
+        ['rapier', 1, 3, 2e-14],
       ]),
     )
     expect(exact.beaten).toEqual([])
-    expect(exact.tied.map(({ engine }) => engine)).toEqual(['planck'])
+    expect(exact.tied.map(({ engine }) => engine)).toEqual(['rapier', 'planck'])
     const [close] = verdicts(
       resultsOf([
         ['gravity-stack', null, 10, 0.01],
@@ -126,11 +131,23 @@ describe('the claim', () => {
     results.missing = [
       { ...left, engine: 'planck', setting: { steps: 1 } },
       { ...left, engine: 'planck', setting: { steps: 2 }, atLeast: 9 },
-      { ...left, engine: 'planck', setting: { steps: 4 }, atLeast: 12 },
+      { ...left, engine: 'planck', setting: { steps: 4 }, atLeast: 9.6 },
       { ...left, engine: 'planck', setting: { steps: 1 }, scene: 'roll' },
       { ...left, engine: 'gravity-stack', setting: { substeps: 2 } },
     ]
     expect(verdicts(results)[0].open.map(({ setting }) => setting.steps)).toEqual([1, 2])
+  })
+
+  it('is made of each scene by what was measured on it', () => {
+    const results = resultsOf([
+      ['gravity-stack', null, 10, 0.01],
+      ['planck', 1, 20, 0.005],
+    ])
+    results.errors.push({ ...results.errors[1], scene: 'roll', errors: [1e-4] })
+    results.sceneCosts.push({ ...results.sceneCosts[1], scene: 'roll', cost: 1 })
+    // One that was filmed and never timed has no place.
+    results.errors.push({ ...results.errors[1], engine: 'rapier', errors: [1e-4] })
+    expect(verdicts(results)[0]).toMatchObject({ beaten: [], asCheap: null, asExact: { factor: 2 } })
   })
 
   it('counts an engine that lost its chips as neither cheap nor exact', () => {
