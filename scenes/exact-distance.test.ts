@@ -100,6 +100,13 @@ describe('the exact distance', () => {
     expect(chipDistance(disc, at(0, 0), box, at(23, 14))).toBeCloseTo(-5, 12)
   })
 
+  it('takes no radius for larger than half the shorter side', () => {
+    expect(cornerRadius({ width: 10, height: 40, radius: 99 })).toBe(5)
+    expect(cornerRadius({ width: 40, height: 10, radius: 99 })).toBe(5)
+    expect(cornerRadius({ width: 40, height: 10, radius: 3 })).toBe(3)
+    expect(cornerRadius({ width: 40, height: 10 })).toBe(0)
+  })
+
   it('is the same seen from either chip', () => {
     const random = seeded(3)
     for (let i = 0; i < 1000; i++) {
