@@ -30,6 +30,12 @@ function cornersAgainst(film: Film, poses: Pose[], a: number, b: number, flip: b
   const hy = shape.height / 2 - rb
   const c = Math.cos(pose.angle)
   const s = Math.sin(pose.angle)
+  // The side of b by which the two are least in each other: a corner of a that is inside the core goes out through that.
+  const [ax, ay] = halfExtent(film.chips[a], poses[a].angle - pose.angle)
+  const x = c * (poses[a].x - pose.x) + s * (poses[a].y - pose.y)
+  const y = c * (poses[a].y - pose.y) - s * (poses[a].x - pose.x)
+  const sideways = Math.abs(x) - hx - ax > Math.abs(y) - hy - ay
+  const way = Math.sign(sideways ? x : y) || 1
   const contacts: Contact[] = []
   for (const corner of coreCorners(film.chips[a], poses[a])) {
     const dx = corner.x - pose.x
@@ -42,11 +48,9 @@ function cornersAgainst(film: Film, poses: Pose[], a: number, b: number, flip: b
     let nx = ox / distance
     let ny = oy / distance
     if (distance < 1e-9) {
-      // Inside the core: out through the nearest side.
-      const sideways = hx - Math.abs(lx) < hy - Math.abs(ly)
-      distance = -Math.min(hx - Math.abs(lx), hy - Math.abs(ly))
-      nx = sideways ? Math.sign(lx) || 1 : 0
-      ny = sideways ? 0 : Math.sign(ly) || 1
+      distance = sideways ? way * lx - hx : way * ly - hy
+      nx = sideways ? way : 0
+      ny = sideways ? 0 : way
     }
     if (distance - ra - rb > reach) continue
     const wx = c * nx - s * ny

@@ -71,6 +71,11 @@ describe('the scenes', () => {
     const film = new Film(scene, scene.build(1), 1)
     film.at(1).set(film.at(0))
     expect(contactResidual(film, 1, 40_000)).toBeLessThan(1e-3)
+    // Pressed into one another by a hundredth of a pixel the sharp corners are inside.
+    const pressed = new Film(scene, scene.build(1), 1)
+    for (const k of [0, 1]) for (let i = 0; i < 10; i++) pressed.at(k)[6 * i + 1] += 0.01 * (i + 1)
+    pressed.at(1).set(pressed.at(0))
+    expect(contactResidual(pressed, 1, 40_000)).toBeLessThan(1e-3)
     const sinking = new Film(scene, scene.build(1), 1)
     sinking.at(1).set(sinking.at(0))
     for (const k of [0, 1]) for (let i = 0; i < 10; i++) sinking.at(k)[6 * i + 4] = 20
