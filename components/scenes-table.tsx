@@ -80,13 +80,12 @@ export function FuzzTable() {
         </tr>
       </thead>
       <tbody>
-        {fuzzRows().map(([says, asked, some, all]) => (
+        {fuzzRows().map(([says, some, all]) => (
           <tr key={says} className="border-b align-baseline last:border-0">
             <th scope="row" className="px-3 py-1.5 sm:px-4 font-normal">
-              {says}
+              {typeset(says)}
             </th>
-            <td className="px-3 py-1.5 sm:px-4 tabular-nums">{asked}</td>
-            <td className="px-3 py-1.5 sm:px-4 tabular-nums">{some}</td>
+            <td className="whitespace-nowrap px-3 py-1.5 sm:px-4 tabular-nums">{some}</td>
             <td className="px-3 py-1.5 sm:px-4 tabular-nums">{all}</td>
           </tr>
         ))}

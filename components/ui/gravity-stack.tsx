@@ -4479,6 +4479,17 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   // Coming into view, and the focus
 
+  /** The stage comes into view for the first time. Until then it has done nothing. */
+  function arm() {
+    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
+      warn(
+        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
+      )
+    changes.observe(root, { childList: true, subtree: true })
+    listen()
+    collect()
+  }
+
   function seen(entry: IntersectionObserverEntry) {
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
@@ -4495,17 +4506,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     clearTimeout(unseen)
     if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
-  }
-
-  /** The stage comes into view for the first time. Until then it has done nothing. */
-  function arm() {
-    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
-      warn(
-        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
-      )
-    changes.observe(root, { childList: true, subtree: true })
-    listen()
-    collect()
   }
 
   function listen() {

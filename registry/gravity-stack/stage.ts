@@ -433,6 +433,17 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   // Coming into view, and the focus
 
+  /** The stage comes into view for the first time. Until then it has done nothing. */
+  function arm() {
+    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
+      warn(
+        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
+      )
+    changes.observe(root, { childList: true, subtree: true })
+    listen()
+    collect()
+  }
+
   function seen(entry: IntersectionObserverEntry) {
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
@@ -449,17 +460,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     clearTimeout(unseen)
     if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
     sync()
-  }
-
-  /** The stage comes into view for the first time. Until then it has done nothing. */
-  function arm() {
-    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
-      warn(
-        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
-      )
-    changes.observe(root, { childList: true, subtree: true })
-    listen()
-    collect()
   }
 
   function listen() {
