@@ -52,7 +52,7 @@ describe('the scenes', () => {
   it('see when the last chip calms down', () => {
     const scene = sceneNamed('stack-10')
     const film = new Film(scene, scene.build(1), 60)
-    for (let k = 0; k <= 60; k++) film.at(k)[6 * 3 + 3] = k <= 33 ? 8 : 6
+    for (let k = 0; k <= 60; k++) film.at(k)[6 * 9 + 3] = k <= 33 ? 8 : 6
     expect(film.timeToRest()).toBeCloseTo(33 / 60, 12)
   })
 
@@ -64,6 +64,10 @@ describe('the scenes', () => {
     film.at(1)[0] += 3
     film.at(1)[1] += 4
     expect(film.drift()).toBeCloseTo(5, 12)
+    film.at(1).set(film.at(0))
+    // A box of 80 by 40 px that has only turned.
+    film.at(1)[2] = 0.2
+    expect(film.drift()).toBeCloseTo(2 * Math.hypot(40, 20) * Math.sin(0.1), 12)
   })
 
   it('find a stack at rest in balance, one in the air a weight short, and one that sinks at fault', () => {
