@@ -142,6 +142,9 @@ describe('a random scene shows', () => {
       fault = broken
       restless = check === 'asleep'
       expect(playFuzz(scene)?.check).toBe(check)
+      // Asked for this alone, as of a scene that once went wrong, or for another.
+      expect(playFuzz(scene, check)?.check).toBe(check)
+      expect(playFuzz(scene, check === 'hanging' ? 'recovery' : 'hanging')).toBeUndefined()
     })
   }
 
