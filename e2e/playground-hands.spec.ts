@@ -102,37 +102,50 @@ test.describe('playground under a finger', () => {
     }
   }
 
-  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
-    page,
-  }) => {
+  /** The stage in the middle of the window, with its only chip at rest. */
+  async function lying(page: Page) {
     await page.goto('/playground?count=1')
     const room = page.locator(stage)
     await expect(room).toHaveAttribute('data-state', 'resting')
     await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    return room
+  }
+
+  /** Swipes up from the chip, which scrolls the page. The finger is still down. */
+  async function swipeScrolls(page: Page) {
+    await neverHold(page)
+    const before = await scrolled(page)
+    const finger = await fingerOn(page)
+    await finger.down()
+    await swipeUp(page, finger)
+    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 60)
+    return finger
+  }
+
+  test('a chip is carried off when the finger rests, and the page scrolls when it does not', async ({
+    page,
+  }) => {
+    const room = await lying(page)
     // Both at once: a page that a finger has sent off scrolls on meanwhile.
     const top = () =>
       room.evaluate((element) => {
         const chip = element.querySelector('[data-chip]')!
         return chip.getBoundingClientRect().y - element.getBoundingClientRect().y
       })
-    const [lying, before] = [await top(), await scrolled(page)]
+    const [start, before] = [await top(), await scrolled(page)]
 
     const first = await fingerOn(page)
     await first.down()
     // What is held is awake.
     await expect(room).not.toHaveAttribute('data-state', 'resting')
     await swipeUp(page, first)
-    await expect.poll(top).toBeLessThan(lying - 80)
+    await expect.poll(top).toBeLessThan(start - 80)
     expect(await scrolled(page)).toBe(before)
     await first.up()
     await expect(room).toHaveAttribute('data-state', 'resting')
 
-    await neverHold(page)
     const lies = await top()
-    const second = await fingerOn(page)
-    await second.down()
-    await swipeUp(page, second)
-    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 60)
+    const second = await swipeScrolls(page)
     expect(await top()).toBeCloseTo(lies, 0)
     await second.up()
   })
@@ -166,10 +179,7 @@ test.describe('playground under a finger', () => {
   test('when other chips come while a finger holds one, the page can be scrolled from there afterwards', async ({
     page,
   }) => {
-    await page.goto('/playground?count=1')
-    const room = page.locator(stage)
-    await expect(room).toHaveAttribute('data-state', 'resting')
-    await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    const room = await lying(page)
     const first = await fingerOn(page)
     await first.down()
     await expect(room).not.toHaveAttribute('data-state', 'resting')
@@ -177,13 +187,8 @@ test.describe('playground under a finger', () => {
     await first.up()
     await expect(room).toHaveAttribute('data-state', 'resting')
 
-    await neverHold(page)
     await room.evaluate((element) => element.scrollIntoView({ block: 'center' }))
-    const before = await scrolled(page)
-    const second = await fingerOn(page)
-    await second.down()
-    await swipeUp(page, second)
-    await expect.poll(() => scrolled(page)).toBeGreaterThan(before + 60)
+    const second = await swipeScrolls(page)
     await second.up()
   })
 })
