@@ -10,7 +10,7 @@ export default defineConfig({
   testDir: 'e2e',
   fullyParallel: true,
   // On two cores: half the time a pile only takes its time.
-  workers: 3,
+  workers: 4,
   forbidOnly: true,
   // More than twice what the longest takes here: limits are for what hangs, not for a busy machine.
   timeout: 180_000,

@@ -6,7 +6,9 @@ import { createRequire } from 'node:module'
 import { delimiter, join } from 'node:path'
 import { isMain, run } from './run.mjs'
 
-const names = ['chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome']
+// The headless shell is Chromium without windows of its own, which cost a page in them as much again.
+const shell = 'chromium-headless-shell'
+const names = [shell, 'chromium', 'chromium-browser', 'google-chrome-stable', 'google-chrome']
 const macPaths = ['/Applications/Google Chrome.app/Contents/MacOS/Google Chrome']
 
 /** What it says when it starts, so that a browser whose libraries are missing isn't taken. */
@@ -51,6 +53,8 @@ async function aptGet(...packages) {
 const ways = [
   { name: 'already here', get: () => {} },
   { name: "Playwright's download", get: download },
+  { name: 'installed by apt-get', get: () => aptGet(shell, 'fonts-liberation') },
+  // Not every system packs the shell.
   { name: 'installed by apt-get', get: () => aptGet('chromium', 'fonts-liberation') },
 ]
 
