@@ -39,7 +39,7 @@ type Span = { from: number; to: number }
 /** Spans that lie within no other, in order. */
 function outermost(events: TraceEvent[]): Span[] {
   const spans: Span[] = []
-  for (const { ts, dur = 0 } of events.toSorted((a, b) => a.ts - b.ts || (b.dur ?? 0) - (a.dur ?? 0))) {
+  for (const { ts, dur = 0 } of events.toSorted((a, b) => a.ts - b.ts)) {
     const last = spans.at(-1)
     if (last && ts < last.to) last.to = Math.max(last.to, ts + dur)
     else spans.push({ from: ts, to: ts + dur })
