@@ -4062,7 +4062,7 @@ const FILLS_VIEW = 0.5
 const LOOK_AGAIN = 200
 /** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
 const LONGEST_FRAME = 0.05
-/** px², of what a corner moves before a chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+/** px², of what a corner moves before a moving chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
 const VISIBLE = 0.0121
 /** px, height of the hop of a tapped chip. */
 const HOP = 36
@@ -4387,8 +4387,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const turned = (angle - chip.angle) * chip.reach
     // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
     if (Number.isNaN(chip.x)) round(chip)
-    // One corner at least has gone this far. A chip never drawn compares as not a number.
-    if (!(dx * dx + dy * dy + turned * turned < VISIBLE)) {
+    // One corner at least has gone this far. A chip never drawn compares as not a number. A chip that has fallen asleep
+    // is drawn where it lies: its last movement may have been too small to be drawn.
+    if (asleep || !(dx * dx + dy * dy + turned * turned < VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle
