@@ -121,5 +121,12 @@ if (executablePath) {
       const tops = await page.$$eval(`${STAGE} > *`, (all) => all.map((one) => one.getBoundingClientRect().y))
       expect(new Set(tops).size).toBe(1)
     })
+
+    test('words can be selected in the row', async ({ firefox: page, baseURL }) => {
+      await page.goto(`${baseURL}/pile?chips=4`)
+      const { x, y } = await centreOf(page, chip(1))
+      await page.mouse.click(x, y, { count: 2 })
+      expect(await page.evaluate(() => `${getSelection()}`.trim())).toBe('design')
+    })
   })
 }

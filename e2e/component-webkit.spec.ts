@@ -219,5 +219,20 @@ if (command) {
       )
       expect(new Set(tops).size).toBe(1)
     })
+
+    test('words can be selected in the row', async ({ webkit: page, baseURL }) => {
+      await page.open(`${baseURL}/pile?chips=4`)
+      const press = [
+        { type: 'pointerDown', button: 0 },
+        { type: 'pointerUp', button: 0 },
+      ]
+      await page.act(
+        'pointer',
+        { type: 'pointerMove', ...(await page.centreOf(chip(1))) },
+        ...press,
+        ...press,
+      )
+      expect(await page.evaluate(() => `${getSelection()}`.trim())).toBe('design')
+    })
   })
 }

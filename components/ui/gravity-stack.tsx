@@ -4773,9 +4773,12 @@ export const GravityStack: React.ForwardRefExoticComponent<
       data-slot="gravity-stack"
       data-state="static"
       className={cn(
-        'group/stack relative isolate flex h-80 w-full break-inside-avoid select-none flex-wrap content-end items-end justify-center gap-2 contain-content',
+        'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
+        interactive &&
+          'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
         className,
       )}
     >
@@ -4788,7 +4791,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
-            'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [&_:is(dialog,[popover],:fullscreen)]:select-text',
+            'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
             // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
             '[&:where([data-state=waiting]:not(:focus-within))]:[transform:translateY(calc(-100%-6rem))]',
             // Below the rest: Chromium looks through all layers under a chip that once was painted and has none of its own.
