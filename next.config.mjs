@@ -58,7 +58,8 @@ export default async (phase) => ({
           beforeFiles: [{ source: '/docs/:slug.md', destination: '/twins/docs/:slug.md' }],
         }),
       }
-    : { output: 'export' }),
+    : // Where `distDir` is given, `next typegen` writes there too, so it is for the tests' own build alone.
+      { output: 'export', distDir: process.env.SITE_OUT }),
   reactStrictMode: true,
   serverExternalPackages: ['react-docgen', 'rolldown', 'shiki'],
   experimental: {

@@ -1,10 +1,11 @@
-import { existsSync } from 'node:fs'
+import { existsSync, readdirSync } from 'node:fs'
 import { defineConfig } from '@playwright/test'
 import { findBrowser } from './scripts/browser.mjs'
-import { siteUrl } from './site.config.mjs'
+import { out, siteUrl } from './site.config.mjs'
 
-const fixturesUrl = 'http://localhost:4310'
-const reuseExistingServer = !process.env.CI
+/** A file that only this build has: a site of another clone, served at the same address, is not taken for this one. */
+const ofThisBuild = () =>
+  readdirSync(out, { encoding: 'utf8', recursive: true }).find((path) => path.endsWith('/_buildManifest.js'))
 
 export default defineConfig({
   testDir: 'e2e',
@@ -21,13 +22,16 @@ export default defineConfig({
     launchOptions: { executablePath: findBrowser()?.path },
   },
   projects: [
-    { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: fixturesUrl } },
+    { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: process.env.FIXTURES_URL } },
     { name: 'site', testIgnore: ['component-*.spec.ts', 'install/*.spec.ts'] },
     { name: 'install', testMatch: 'install/*.spec.ts', timeout: 300_000 },
   ],
   webServer: [
-    { command: 'node e2e/fixtures/server.mjs', url: fixturesUrl, reuseExistingServer },
+    // Where it is served is in the environment by the time that the tests are read.
+    { command: 'node e2e/fixtures/server.mjs', wait: { stdout: /(?<FIXTURES_URL>http:\S+)/ } },
     // The component's own tests need no built site.
-    ...(existsSync('out') ? [{ command: 'node scripts/serve.mjs', url: siteUrl, reuseExistingServer }] : []),
+    ...(existsSync(out)
+      ? [{ command: 'node scripts/serve.mjs', url: `${siteUrl}/${ofThisBuild()}`, reuseExistingServer: true }]
+      : []),
   ],
 })

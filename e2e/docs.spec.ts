@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
 import { expect, type Page, type Response } from '@playwright/test'
+import { addressed } from '../site.config.mjs'
 import { docs, painted, test, withhold } from './page'
 
 test('the props table says what range and default a number has, in the page and in Markdown', async ({
@@ -107,13 +108,14 @@ test.describe('with a clipboard', () => {
     expect(await clipboard(page)).toMatch(/^bunx --bun shadcn@latest add http\S+\/r\/gravity-stack\.json$/)
   })
 
-  test('copies the component file as it is in the repository', async ({ page }) => {
+  test('copies the component file, with the address of its docs on this site', async ({ page }) => {
     await page.goto('/docs/gravity-stack')
     await page.getByRole('tab', { name: 'Manual' }).click()
     await page.getByRole('button', { name: 'Copy the whole file' }).click()
     await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
     // Compared as a whole: a difference would print the file twice.
-    expect((await clipboard(page)) === readFileSync('components/ui/gravity-stack.tsx', 'utf8')).toBe(true)
+    const file = addressed(readFileSync('components/ui/gravity-stack.tsx', 'utf8'))
+    expect((await clipboard(page)) === file).toBe(true)
   })
 
   test('copies the tokens of the ladder as they are in the repository', async ({ page }) => {

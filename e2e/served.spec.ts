@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { expect, type Page } from '@playwright/test'
+import { addressed } from '../site.config.mjs'
 import { docs, pages, test } from './page'
 
 // What the host gives to browsers, crawlers, machines that read Markdown, and other sites.
@@ -152,7 +153,8 @@ test('llms.txt and the sitemap list every page, and llms-full.txt holds the sour
     expect((await request.get(to)).ok(), to).toBe(true)
   }
   const full = await (await request.get('/llms-full.txt')).text()
-  expect(full.includes(readFileSync('components/ui/gravity-stack.tsx', 'utf8').trim())).toBe(true)
+  const file = addressed(readFileSync('components/ui/gravity-stack.tsx', 'utf8'))
+  expect(full.includes(file.trim())).toBe(true)
 })
 
 test('the registry may be read from any site, and what never changes is asked for once', async ({

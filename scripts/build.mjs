@@ -1,11 +1,14 @@
-// Builds the whole site, registry included, into out/: a folder of static files that any host can serve.
+// Builds the whole site, registry included: a folder of static files that any host can serve. What is committed stays
+// as it is, whatever address the build is for.
 import { join } from 'node:path'
+import { out } from '../site.config.mjs'
 import { lateScripts } from './late-scripts.mjs'
 import { buildRegistry } from './registry.mjs'
 import { must, root } from './run.mjs'
 
 await must('node', ['scripts/assemble.mjs'])
 await must('contentlayer2', ['build'])
-await buildRegistry()
 await must('next', ['build'])
-lateScripts(join(root, 'out'))
+const folder = join(root, out)
+await buildRegistry(folder)
+lateScripts(folder)

@@ -1,12 +1,13 @@
-// Builds the registry from registry.json and the files it names: public/r, and public/directory.json, which is our
-// entry for shadcn's directory of registries.
-//   node scripts/registry.mjs [folder]  writes into public, or into that folder
+// Builds the registry from registry.json and the files it names: the folder r of items, and directory.json, which is
+// our entry for shadcn's directory of registries.
+//   node scripts/registry.mjs           writes them into public, with the address that is committed
+//   node scripts/registry.mjs FOLDER    writes them into that folder, with the address of this build
 //   node scripts/registry.mjs --check   fails when public isn't what a fresh build gives
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import postcss from 'postcss'
-import { siteUrl, version } from '../site.config.mjs'
+import { addressed, committedUrl, version } from '../site.config.mjs'
 import { isMain, must, root } from './run.mjs'
 
 const index = join(root, 'registry.json')
@@ -39,11 +40,10 @@ async function takeTokens({ write }) {
   return true
 }
 
-/** registry.json as it is committed, with the address of this build and the package's version. */
+/** registry.json as it is committed, with the package's version. */
 async function source() {
   const registry = JSON.parse(await readFile(index, 'utf8'))
-  const text = JSON.stringify(registry).replaceAll(registry.homepage, siteUrl)
-  const { items, ...rest } = JSON.parse(text)
+  const { items, ...rest } = registry
   return { ...rest, items: items.map((item) => ({ ...item, meta: { ...item.meta, version } })) }
 }
 
@@ -52,8 +52,8 @@ async function directoryEntry() {
   const logo = await readFile(join(root, 'app/icon.svg'), 'utf8')
   return {
     name: `@${name}`,
-    homepage: siteUrl,
-    url: `${siteUrl}/r/{name}.json`,
+    homepage: committedUrl,
+    url: `${committedUrl}/r/{name}.json`,
     description: items[0].description,
     logo: logo.replace(/\n\s*/g, ''),
   }
@@ -69,7 +69,8 @@ async function inFolder(work) {
   }
 }
 
-export async function buildRegistry(output = served) {
+/** Writes the registry into a folder with the address that is committed. */
+async function writeRegistry(output) {
   await inFolder(async (folder) => {
     const file = join(folder, 'registry.json')
     await writeFile(file, JSON.stringify(await source()))
@@ -77,6 +78,12 @@ export async function buildRegistry(output = served) {
     await must('shadcn', ['build', file, '--cwd', root, '--output', join(output, 'r')])
   })
   await writeFile(join(output, 'directory.json'), `${JSON.stringify(await directoryEntry(), null, 2)}\n`)
+}
+
+/** Writes the registry into a folder with the address of this build. */
+export async function buildRegistry(output) {
+  await writeRegistry(output)
+  for (const [path, text] of await readAll(output)) await writeFile(join(output, path), addressed(text))
 }
 
 async function readAll(folder) {
@@ -90,7 +97,7 @@ async function readAll(folder) {
 async function staleFiles() {
   if (await takeTokens({ write: false })) return ['registry.json']
   const [now, then] = await inFolder(async (folder) => {
-    await buildRegistry(folder)
+    await writeRegistry(folder)
     return [await readAll(folder), await readAll(served)]
   })
   return [...new Set([...now.keys(), ...then.keys()])].filter((path) => now.get(path) !== then.get(path))
@@ -104,9 +111,10 @@ if (isMain(import.meta.url)) {
       console.error(`Out of date: ${stale.join(', ')}. Run: npm run registry`)
       process.exit(1)
     }
-  } else {
-    // A build into another folder leaves what is committed as it is.
-    if (!argument) await takeTokens({ write: true })
+  } else if (argument) {
     await buildRegistry(argument)
+  } else {
+    await takeTokens({ write: true })
+    await writeRegistry(served)
   }
 }

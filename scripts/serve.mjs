@@ -1,19 +1,17 @@
-// Serves out/ as a static host would: clean URLs, compression, and the headers of public/_headers.
+// Serves a built site as a static host would: clean URLs, compression, and the headers of public/_headers.
 import { existsSync, readFileSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { join } from 'node:path'
 import compression from 'compression'
 import { lookup } from 'mrmime'
 import sirv from 'sirv'
-import { siteUrl } from '../site.config.mjs'
+import { out, siteUrl } from '../site.config.mjs'
 import { isMain, root } from './run.mjs'
 
-const out = join(root, 'out')
-
 /** The rules of a _headers file: a path, a star at its end for all below it, then indented headers. */
-function headerRules() {
+function headerRules(file) {
   const rules = []
-  for (const line of readFileSync(join(out, '_headers'), 'utf8').split('\n')) {
+  for (const line of readFileSync(file, 'utf8').split('\n')) {
     if (/^\//.test(line)) rules.push({ path: line.trim(), headers: [] })
     else if (/^\s+\S/.test(line)) rules.at(-1).headers.push(line.trim().split(/:\s*(.*)/, 2))
   }
@@ -23,11 +21,10 @@ function headerRules() {
   }))
 }
 
-function serve(port) {
-  if (!existsSync(out)) throw new Error('There is no out/ to serve yet. Run: npm run build')
-  const rules = headerRules()
+/** Serves a folder from a port, 0 for any free one. What is built into the folder meanwhile is served too. */
+export function serve(folder, port) {
   const compress = compression()
-  const files = sirv(out, {
+  const files = sirv(folder, {
     extensions: ['html'],
     etag: true,
     // read from disk each time, so that a build made meanwhile shows
@@ -36,14 +33,14 @@ function serve(port) {
       // sirv names a type only after this, and a charset for pages alone.
       const type = lookup(url)
       if (/^text\/\w+$/.test(type)) response.setHeader('Content-Type', `${type};charset=utf-8`)
-      for (const rule of rules) {
-        if (rule.matches(url)) for (const [name, value] of rule.headers) response.setHeader(name, value)
+      for (const { matches, headers } of headerRules(join(folder, '_headers'))) {
+        if (matches(url)) for (const [name, value] of headers) response.setHeader(name, value)
       }
     },
   })
   const notFound = (response) => {
     response.writeHead(404, { 'Content-Type': 'text/html;charset=utf-8' })
-    response.end(readFileSync(join(out, '404.html')))
+    response.end(readFileSync(join(folder, '404.html')))
   }
   const server = createServer((request, response) => {
     compress(request, response, () => files(request, response, () => notFound(response)))
@@ -53,9 +50,11 @@ function serve(port) {
 
 /** Serves until the process ends, and says where. */
 export async function serveSite() {
+  const folder = join(root, out)
+  if (!existsSync(folder)) throw new Error(`There is no ${out}/ to serve yet. Run: npm run build`)
   // Pages and registry name their own address: served at another port, every copied command would be dead.
   const port = Number(new URL(siteUrl).port || 4000)
-  await serve(port).catch((error) => {
+  await serve(folder, port).catch((error) => {
     if (error.code !== 'EADDRINUSE') throw error
     console.error(`Port ${port} is taken. Another one: SITE_URL=http://localhost:${port + 1} npm run site`)
     process.exit(1)

@@ -1,13 +1,12 @@
 // Runs every check and test there is, on a machine that has nothing but Node, and goes on after a failure.
 // The last line counts them: each test of Vitest and Playwright is one, and each check is one.
 import { mkdtemp, readFile, rm } from 'node:fs/promises'
-import { createServer } from 'node:net'
 import { tmpdir } from 'node:os'
-import { join } from 'node:path'
+import { basename, join } from 'node:path'
 import { ready } from './ready.mjs'
-import { run } from './run.mjs'
+import { root, run } from './run.mjs'
 
-// What is committed was built for the usual address.
+// What is committed names the usual address, whatever a shell is set to.
 delete process.env.SITE_URL
 
 const reports = await mkdtemp(join(tmpdir(), 'gravity-stack-'))
@@ -59,19 +58,6 @@ await step('Dependencies are installed', async () => {
   await ready()
   return verdict(0)
 })
-await step('The ports of the browser tests are free', async () => {
-  const { siteUrl } = await import('../site.config.mjs')
-  for (const port of [Number(new URL(siteUrl).port), 4310]) {
-    const free = await new Promise((resolve) => {
-      const server = createServer().once('error', () => resolve(false))
-      server.listen(port, () => server.close(() => resolve(true)))
-    })
-    if (free) continue
-    console.error(`Port ${port} is taken: stop what listens there, such as npm run site.`)
-    return verdict(1)
-  }
-  return verdict(0)
-})
 await step('A browser is here', async () => {
   const { bringBrowser, bringEngines } = await import('./browser.mjs')
   await bringBrowser()
@@ -96,7 +82,17 @@ await tests(
   { CI: '1' },
 )
 
-await check('The site builds', ['node', 'scripts/build.mjs'])
+// A site of the tests' own, in a folder and on a port that no other uses: one that is served meanwhile stays as it is.
+// The port is held from before the build, which writes it into the pages.
+const folder = join(root, 'out-test')
+let server
+await step('The site builds', async () => {
+  const { serve } = await import('./serve.mjs')
+  server = await serve(folder, 0)
+  process.env.SITE_OUT = basename(folder)
+  process.env.SITE_URL = `http://localhost:${server.address().port}`
+  return verdict(await run('node', ['scripts/build.mjs']))
+})
 
 const browserReport = join(reports, 'playwright.json')
 await tests(
@@ -108,7 +104,9 @@ await tests(
   { PLAYWRIGHT_JSON_OUTPUT_FILE: browserReport, CI: '1' },
 )
 
-await rm(reports, { recursive: true, force: true })
+server?.close()
+server?.closeAllConnections()
+for (const path of [reports, folder]) await rm(path, { recursive: true, force: true })
 if (missing.length > 0)
   console.log(`\nNot run: what is tested in ${missing.join(' and ')}, not to be had here`)
 console.log(failures.length > 0 ? `\nFailed:\n  ${failures.join('\n  ')}\n` : '')

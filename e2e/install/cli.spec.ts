@@ -3,10 +3,11 @@ import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { createInterface } from 'node:readline'
 import { root } from '../../scripts/run.mjs'
-import { siteUrl, version } from '../../site.config.mjs'
+import { addressed, siteUrl, version } from '../../site.config.mjs'
 import { answered, components, expect, item, type Project, test, tool } from './project'
 
-const source = () => readFile(join(root, 'components/ui/gravity-stack.tsx'), 'utf8')
+const committed = () => readFile(join(root, 'components/ui/gravity-stack.tsx'), 'utf8')
+const source = async () => addressed(await committed())
 const file = 'components/ui/gravity-stack.tsx'
 
 /** The least that the CLI takes for a project. */
@@ -138,7 +139,7 @@ test('the repository itself is a registry, by owner, name and item', async ({ ma
     ['add', `liten/gravity-stack/gravity-stack#${commit}`, '--yes'],
     answered,
   )
-  expect(await project.read(file)).toBe(await source())
+  expect(await project.read(file)).toBe(await committed())
 })
 
 test('other aliases, such as ~/, are followed in the files that arrive', async ({ make }) => {
