@@ -61,10 +61,12 @@ const imports: { name: string; code: string; wasm?: string }[] = [
 /** React and `cn` are on the page already; Node's own modules are only reached for outside a browser. */
 const elsewhere = /^(react|react-dom|cn|module|fs|path|url|worker_threads)$|^(react\/|node:)/
 
-const bundle = (code: string) => script(code, root, 'esm', { platform: 'browser', external: elsewhere })
+const bundle = (code: string, folder = root) =>
+  script(code, folder, 'esm', { platform: 'browser', external: elsewhere })
 
-/** What the component weighs as it is now, minified and gzipped. */
-export const componentBytes = async () => gzipSync(await bundle(component), { level: 9 }).length
+/** What the component in `folder` weighs, minified and gzipped. */
+export const componentBytes = async (folder = root) =>
+  gzipSync(await bundle(component, folder), { level: 9 }).length
 
 export async function engineBytes(): Promise<Bytes[]> {
   const rows: Bytes[] = []

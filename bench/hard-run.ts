@@ -25,12 +25,14 @@ export function playHard(
   scene: HardScene,
   seed: number,
   watch?: Watch,
+  substeps?: number,
 ): { figures: HardFigures; hash: string } {
   const chips = scene.build(seed)
   const world = createWorld({
     width: scene.width,
     height: scene.height,
     ...scene.conditions,
+    ...(substeps ? { substeps } : {}),
   })
   const ids = chips.map((chip) => world.add(chip))
   const alive = chips.map(() => true)
@@ -46,6 +48,11 @@ export function playHard(
       world.resize(width, height)
       // A stage of no size counts as one of 1 px.
       Object.assign(stage, { width: Math.max(1, width), height: Math.max(1, height) })
+    },
+    reshape(chip, shape) {
+      world.reshape(ids[chip], shape)
+      chips[chip] = { ...chips[chip], ...shape }
+      masses[chip] = massOf(chips[chip])
     },
     hold(chip, to) {
       const held = grabs.get(chip)
@@ -91,6 +98,7 @@ export function playHard(
   const frames = Math.round(scene.seconds / frame)
   const { calmFrom = 0 } = scene
   const calm = Math.round((typeof calmFrom === 'number' ? calmFrom : calmFrom(chips)) / frame)
+  const overlapFrom = Math.max(2, Math.round((scene.overlapFrom ?? 0) / frame))
   const highest = chips.map(({ y }) => y)
   let before = read()
   const watched = new Set<keyof HardFigures>(Object.keys(scene.bounds) as (keyof HardFigures)[])
@@ -116,11 +124,9 @@ export function playHard(
       for (let i = 0; i < chips.length; i++)
         if (alive[i]) figures.outside = Math.max(figures.outside, outsideOf(chips[i], now[i], stage))
     }
-    if (watched.has('overlap during') && k > 1) {
-      figures['overlap during'] = Math.max(
-        figures['overlap during'],
-        worstOverlap(living(), posesOf(now), stage),
-      )
+    if (watched.has('overlap during') && k >= overlapFrom) {
+      const known = figures['overlap during']
+      figures['overlap during'] = worstOverlap(living(), posesOf(now), stage, known)
     }
     if (watched.has('gain')) figures.gain = Math.max(figures.gain, (energy(now) - put) / put)
     if (scene.plate !== undefined) figures.through += crossings(scene.plate, chips, before, now)

@@ -5,7 +5,7 @@ import type { Bounds } from './gate'
 import { printed } from './run-job'
 
 const bounds: Bounds = accepted
-const advice = 'if this is meant: npx tsx bench/accept.ts, and commit the difference'
+const advice = 'if this is meant: npx tsx bench/renew-bounds.ts, and commit the difference'
 
 let measured: Bounds
 

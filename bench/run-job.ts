@@ -10,17 +10,23 @@ import type { AtLeast, Cost, Job } from './job'
 export const root = dirname(dirname(fileURLToPath(import.meta.url)))
 
 /**
- * Bundles a script of this folder as Vite builds an app. Not with esbuild, which turns the constants of a bundle into variables:
+ * Bundles a script of this folder as Vite builds an app. `world` is a file that stands in for the solver's `world.ts`. Not with esbuild, which turns the constants of a bundle into variables:
  * the compiler then looks every one of them up, and a solver that names its offsets is half as slow again. What is imported late
  * stays a file of its own, or every process would load every engine.
  */
-export async function bundle(script: string) {
+export async function bundle(script: string, world?: string) {
+  const own = join(root, 'registry/gravity-stack/world')
   const dir = join(root, 'node_modules/.cache/gravity-stack-bench', `${script}-${process.pid}`)
   const built = await rolldown({
     input: join(root, `bench/${script}.ts`),
     platform: 'node',
     external: /^[^./]/,
     plugins: [
+      {
+        name: 'another-world',
+        resolveId: (id, importer) =>
+          world && importer && resolve(dirname(importer), id) === own ? world : null,
+      },
       {
         // Files named inside node_modules stay outside the bundle too: WebAssembly is loaded from beside them.
         name: 'keep-packages-outside',

@@ -10,6 +10,8 @@ import { seeded } from './seeded'
 export type Actor = {
   remove(chip: number): void
   resize(width: number, height: number): void
+  /** Gives a chip a new size in place. */
+  reshape(chip: number, shape: { width: number; height: number; radius?: number }): void
   /** Takes hold of a chip at its centre, moves the hold, or with no place lets go. */
   hold(chip: number, to?: { x: number; y: number }): void
   pose(chip: number): { x: number; y: number; angle: number }
@@ -82,22 +84,24 @@ export type HardScene = {
   act?(frame: number, actor: Actor, seed: number): void
   /** s, the last disturbance: an act, or where the fall takes long the landing of the highest chip */
   calmFrom?: number | ((chips: Chip[]) => number)
+  /** s, from when 'overlap during' is read, where that of the fall is no matter; from the second frame if left out */
+  overlapFrom?: number
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
   bounds: Partial<HardFigures>
 }
 
 /** Air as in the component: a scene that asks for sleep has it, as a disc in a vacuum rolls on for ever. */
-const aired: Conditions = { ...conditions, linearDamping: 0.35, angularDamping: 1.4 }
+export const aired: Conditions = { ...conditions, linearDamping: 0.35, angularDamping: 1.4 }
 
 /** Sines are not the same in every engine: with what comes of them put on a grid of 1/1024, a scene is. */
-const onGrid = (value: number) => Math.round(value * 1024) / 1024
+export const onGrid = (value: number) => Math.round(value * 1024) / 1024
 
 /** A pour that is the same in every engine. */
-const pour: typeof pourChips = (kind, count, seed) =>
+export const pour: typeof pourChips = (kind, count, seed) =>
   pourChips(kind, count, seed).map((chip) => ({ ...chip, x: onGrid(chip.x), y: onGrid(chip.y) }))
 
-const settles = { lost: 0, outside: 1, overlap: 0.05, asleep: 6, hanging: 0 }
+export const settles = { lost: 0, outside: 1, overlap: 0.05, asleep: 6, hanging: 0 }
 
 function scatter(
   count: number,

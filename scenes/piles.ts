@@ -70,15 +70,21 @@ const massRatio: Scene = {
   measure: (film) => [film.worstOverlap(), film.drift()],
 }
 
-export type Kind = 'pills' | 'badges' | 'mixed'
+export const kinds = ['pills', 'badges', 'mixed', 'discs', 'words'] as const
+export type Kind = (typeof kinds)[number]
 
-/** One chip of a pour: label pills 28 px high, badges with rounded corners, or both with discs, boxes and tall chips. */
+/**
+ * One chip of a pour: a label pill 28 px high, a badge with rounded corners, a disc, a bare word, which is a box with
+ * square corners, or one of many shapes.
+ */
 function pourChip(kind: Kind, random: () => number): { width: number; height: number; radius: number } {
   const size = random()
   const pill = { width: 56 + 56 * size, height: 28, radius: 14 }
   const badge = { width: 36 + 60 * size, height: 30 + 14 * random(), radius: 8 }
   if (kind === 'pills') return pill
   if (kind === 'badges') return badge
+  if (kind === 'discs') return { width: 28 + 24 * size, height: 28 + 24 * size, radius: 14 + 12 * size }
+  if (kind === 'words') return { width: 54 + 56 * size, height: 24, radius: 0 }
   const pick = random()
   if (pick < 0.3) return pill
   if (pick < 0.55) return badge
@@ -135,7 +141,13 @@ export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
   return chips
 }
 
-const pourTitles = { pills: 'pills', badges: 'rounded boxes', mixed: 'chips of every shape' }
+export const pourTitles: Record<Kind, string> = {
+  pills: 'pills',
+  badges: 'rounded boxes',
+  mixed: 'chips of every shape',
+  discs: 'discs',
+  words: 'words with square corners',
+}
 
 /** The measure that tells a run of one seed nothing: it is then the time to rest. */
 export const slowest = 'slowest to rest'

@@ -1,0 +1,64 @@
+// Times two worlds in turns, in one process: their scripts are the arguments, the new one first. Prints a line of JSON a row.
+import { pathToFileURL } from 'node:url'
+import type { createWorld as CreateWorld } from '../registry/gravity-stack/world'
+import { aired } from '../scenes/hard'
+import { pourChips, pourStage } from '../scenes/piles'
+import { type Chip, frame } from '../scenes/scene'
+import { median } from './film'
+
+type Create = typeof CreateWorld
+
+const frames = 240
+/** Frames of a pour that count as landing, and from when on it counts as settled. */
+const landing = 90
+const settledFrom = 180
+/** Rounds in which each world has a turn, by the number of chips. */
+const rounds = new Map([
+  [12, 60],
+  [60, 24],
+  [250, 10],
+  [1000, 5],
+])
+/** ms that each world is warmed up for. */
+const warm = 1500
+
+const worlds: Create[] = []
+for (const file of process.argv.slice(2, 4)) worlds.push((await import(pathToFileURL(file).href)).createWorld)
+
+/** µs a frame, all awake. */
+function pour(createWorld: Create, chips: Chip[]) {
+  const world = createWorld({ ...pourStage(chips.length), ...aired, sleep: false })
+  for (const chip of chips) world.add(chip)
+  const times = Array.from({ length: frames }, () => {
+    const begin = performance.now()
+    world.step(frame)
+    return 1000 * (performance.now() - begin)
+  })
+  const mean = (from: number, to: number) =>
+    times.slice(from, to).reduce((sum, time) => sum + time, 0) / (to - from)
+  return {
+    landing: mean(0, landing),
+    settled: mean(settledFrom, frames),
+    'all four seconds': mean(0, frames),
+  }
+}
+
+const few = pourChips('pills', 60, 101)
+for (const createWorld of worlds) {
+  const begin = performance.now()
+  while (performance.now() - begin < warm) pour(createWorld, few)
+}
+
+for (const [count, times] of rounds) {
+  const measured = worlds.map((): ReturnType<typeof pour>[] => [])
+  for (let round = 0; round < times; round++) {
+    const chips = pourChips('pills', count, 1 + round)
+    // Who goes first changes from round to round.
+    for (const i of round % 2 ? [1, 0] : [0, 1]) measured[i].push(pour(worlds[i], chips))
+  }
+  for (const phase of ['landing', 'settled', 'all four seconds'] as const) {
+    const [now, before] = measured.map((runs) => runs.map((run) => run[phase]))
+    const ratio = median(now.map((value, round) => value / before[round]))
+    console.log(JSON.stringify({ count, phase, now: median(now), before: median(before), ratio }))
+  }
+}
