@@ -3,7 +3,7 @@ import { type Browser, launch, type Page } from 'puppeteer-core'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readOutside, readPile } from './fixtures/stage'
+import { growth, readOutside, readPile, scrolled } from './fixtures/stage'
 
 // A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign, and gets no page.
 
@@ -82,6 +82,16 @@ if (executablePath) {
     const { chips, pressed } = await page.$eval(STAGE, readOutside)
     expect(chips).toBeGreaterThan(3)
     expect(pressed).toBe(0)
+  })
+
+  test('in Firefox nothing in a stage scrolls, though its style says "overflow: hidden"', async ({
+    firefox: page,
+    baseURL,
+  }) => {
+    await page.goto(`${baseURL}/pile?chips=3`)
+    await reaches(page, 'resting')
+    await page.$eval(STAGE, (stage) => stage.setAttribute('style', 'overflow: hidden'))
+    expect(await page.$eval(STAGE, scrolled)).toBe(0)
   })
 
   test('in Firefox a drag on a link does not follow it; the key after a drag that no click follows does', async ({

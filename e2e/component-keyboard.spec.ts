@@ -32,6 +32,39 @@ test('focus brings a chip to the front and never scrolls the pile out of its pla
   expect((await stage.pile()).poses).toEqual(poses)
 })
 
+for (const [given, rule] of [
+  ['style', 'overflow: hidden'],
+  ['style', 'overflow: scroll'],
+  ['rule of the page', 'overflow: auto !important'],
+] as const) {
+  test(`nothing in a stage scrolls, though a ${given} says "${rule}"`, async ({ stage, page }) => {
+    await stage.open('controls')
+    if (given === 'style') await stage.root.evaluate((root, rule) => root.setAttribute('style', rule), rule)
+    else await page.addStyleTag({ content: `[data-slot=gravity-stack] { ${rule} }` })
+    await stage.reaches('resting')
+    const drawn = () =>
+      stage.root.evaluate((root) => [
+        root.clientWidth,
+        ...Array.from(root.children, (chip) => chip.getBoundingClientRect().y),
+      ])
+    const before = await drawn()
+    expect(before[0]).toBe(640)
+    await page.getByText('before').focus()
+    for (let i = 1; i <= 4; i++) await page.keyboard.press('Tab')
+    for (const chip of await stage.chips.all())
+      await chip.evaluate((element) => element.scrollIntoView({ block: 'start' }))
+    await stage.root.evaluate((root) => {
+      root.scrollTop = 100
+      root.scrollLeft = 100
+    })
+    await stage.chips.first().hover()
+    await page.mouse.wheel(0, 30)
+    await stage.probe((probe) => probe.pass(3))
+    await page.evaluate(() => scrollTo(0, 0))
+    expect(await drawn()).toEqual(before)
+  })
+}
+
 test('a control is pressed from the keyboard while its chip lies in the pile', async ({ stage, page }) => {
   await stage.settled('controls')
   await page.getByText('a button').focus()

@@ -7,7 +7,7 @@ import { test as base, expect } from '@playwright/test'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readOutside, readPile } from './fixtures/stage'
+import { growth, readOutside, readPile, scrolled } from './fixtures/stage'
 import { freePort } from './free-port'
 
 // Safari's engine in WebKitGTK's small browser, by its own WebDriver: Playwright's WebKit is a build of its own.
@@ -148,6 +148,16 @@ if (command) {
     const { chips, pressed } = await page.$eval(STAGE, readOutside)
     expect(chips).toBeGreaterThan(3)
     expect(pressed).toBe(0)
+  })
+
+  test('in WebKit nothing in a stage scrolls, though its style says "overflow: hidden"', async ({
+    webkit: page,
+    baseURL,
+  }) => {
+    await page.open(`${baseURL}/pile?chips=3`)
+    await page.reaches('resting')
+    await page.$eval(STAGE, (stage) => stage.setAttribute('style', 'overflow: hidden'))
+    expect(await page.$eval(STAGE, scrolled)).toBe(0)
   })
 
   test('in WebKit a chip of a stage in CSS columns hangs where it is held', async ({

@@ -138,6 +138,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
+        // A stage with another overflow, by a caller's class, style or rule, would scroll to what has the focus.
+        'not-print:not-data-[state=static]:overflow-clip!',
         // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
