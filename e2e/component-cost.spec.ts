@@ -234,6 +234,24 @@ for (const [where, path, params] of [
     expect(median(counted.map(({ rulesMatched }) => rulesMatched))).toBe(0)
   })
 
+test('a shaken chip, which told its angle while it lay, is not held against the rules of the page in each frame', async ({
+  stage,
+  browser,
+}) => {
+  await stage.settled('pile', { chips: 20, stagger: 0, shaker: true })
+  await browser.startTracing(stage.page, { categories: [...categories, 'blink_style'] })
+  await stage.page.getByRole('button', { name: 'Shake' }).click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  const trace = new Trace(await browser.stopTracing())
+  const counted = trace.main
+    .filter(({ name }) => name === 'Document::updateStyle')
+    .map(({ args }) => args.counters as { elementsStyled: number; rulesMatched: number })
+    .filter(({ elementsStyled }) => elementsStyled)
+  expect(counted.length).toBeGreaterThan(10)
+  expect(median(counted.map(({ rulesMatched }) => rulesMatched))).toBe(0)
+})
+
 test('as the stage comes into view and begins, no chip that waits is styled anew', async ({
   stage,
   browser,

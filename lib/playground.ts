@@ -70,7 +70,9 @@ const tints = [
 
 const looksOf = {
   tinted: tints,
-  neutral: ['bg-elevation-3 text-neutral-800 shadow-raised-3 dark:text-neutral-100'],
+  neutral: [
+    'bg-elevation-3 text-neutral-800 shadow-raised-3 transition-shadow duration-300 dark:text-neutral-100',
+  ],
   ink: ['bg-neutral-900 text-white dark:bg-neutral-100 dark:text-neutral-900'],
 }
 

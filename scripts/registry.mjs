@@ -13,17 +13,20 @@ import { isMain, must, root } from './run.mjs'
 const index = join(root, 'registry.json')
 const served = join(root, 'public')
 
-/** The custom properties of the site's own elevation ladder, as an item's `cssVars`. */
+/** The site's own elevation ladder as an item has it: tokens are `cssVars`, rules for anything but a theme are `css`. */
 async function elevation() {
   const cssVars = { theme: {}, light: {}, dark: {} }
+  const css = {}
   const { nodes } = postcss.parse(await readFile(join(root, 'app/elevation.css'), 'utf8'))
-  for (const node of nodes) {
-    const part = node.name === 'theme' ? 'theme' : node.selector === '.dark' ? 'dark' : 'light'
-    node.walkDecls?.(({ prop, value }) => {
-      cssVars[part][prop.replace('--', '')] = value.replace(/\s+/g, ' ')
-    })
+  for (const { name, selector, nodes: declarations } of nodes.filter(({ type }) => type !== 'comment')) {
+    const theme = name ?? (selector.startsWith(':root') ? 'light' : selector === '.dark' && 'dark')
+    for (const { prop, value } of declarations) {
+      const text = value.replace(/\s+/g, ' ')
+      if (theme) cssVars[theme][prop.replace('--', '')] = text
+      else css[selector] = { ...css[selector], [prop]: text }
+    }
   }
-  return cssVars
+  return { cssVars, css }
 }
 
 /** Brings the stylesheet's tokens into registry.json, and says whether they were other ones. */
@@ -31,9 +34,10 @@ async function takeTokens({ write }) {
   const registry = JSON.parse(await readFile(index, 'utf8'))
   const item = registry.items.find(({ name }) => name === 'elevation')
   const tokens = await elevation()
-  if (JSON.stringify(item.cssVars) === JSON.stringify(tokens)) return false
+  const { cssVars, css } = item
+  if (JSON.stringify({ cssVars, css }) === JSON.stringify(tokens)) return false
   if (write) {
-    item.cssVars = tokens
+    Object.assign(item, tokens)
     await writeFile(index, JSON.stringify(registry))
     await must('biome', ['format', '--write', index])
   }

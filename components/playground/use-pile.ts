@@ -48,13 +48,16 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
   const kick = useRef(() => {})
 
   function paint() {
-    const { world, ids, shapes } = pile.current!
+    const { world, ids, shapes, resting } = pile.current!
     const elements = chipsIn(stage.current!)
     ids.forEach((id, chip) => {
       const { x, y, angle } = world.read(id)
       const { width, height } = shapes[chip]
-      elements[chip].style.transform =
-        `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
+      const { style } = elements[chip]
+      style.transform = `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
+      // The light stays above a chip at rest, as on the component's own stage.
+      style.setProperty('--light-x', resting ? `${Math.sin(angle)}` : '')
+      style.setProperty('--light-y', resting ? `${Math.cos(angle)}` : '')
     })
     if (!canvas.current) return
     const words = elements.map((chip) => chip.textContent ?? '')

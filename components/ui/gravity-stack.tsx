@@ -3683,6 +3683,8 @@ interface Chip {
   y: number
   angle: number
   pinch: string
+  /** Whether styles have been told its angle since it was last drawn. */
+  told?: boolean
 }
 
 /** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
@@ -3722,6 +3724,16 @@ function draw(chip: Chip) {
   const { element, x, y, angle } = chip
   const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
   element.style.transform = at + chip.pinch
+  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
+  if (chip.told) element.style.removeProperty('--chip-angle')
+  chip.told = false
+}
+
+/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
+function tellAngle(chip: Chip) {
+  const turns = chip.angle / (2 * Math.PI)
+  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
+  chip.told = true
 }
 
 // pointers: presses, drags and taps ─────────────────────────────────────────────────────────────────────────
@@ -4468,6 +4480,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     root.setAttribute('data-state', next)
     // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
     root.toggleAttribute('data-halted', !live && next !== 'waiting')
+    if (next === 'resting') bodies.forEach(tellAngle)
     // After the frame: an error in it would end Motion's loop for the whole page.
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
@@ -4801,7 +4814,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none!',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}

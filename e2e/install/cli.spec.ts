@@ -109,7 +109,8 @@ test('an example brings the component and its tokens along', async ({ make }) =>
   )
   const css = await project.read('app.css')
   expect(css).toContain('--color-elevation-4: var(--elevation-4);')
-  expect(css).toMatch(/--shadow-raised-2: inset 0 1px 0 var\(--edge-lit\), .*;/)
+  expect(css).toMatch(/--shadow-raised-2: inset calc\(1px \* var\(--light-x\)\) .* var\(--cast\);/)
+  expect(css).toMatch(/"gravity-stack-chip"\] \{\s*--light-x: sin\(var\(--chip-angle, 0deg\)\);/)
   expect(css).toMatch(/\.dark \{[^}]*--elevation-4: oklch/)
 })
 

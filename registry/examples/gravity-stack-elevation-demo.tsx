@@ -27,7 +27,7 @@ export function GravityStackElevationDemo() {
       {words.map((word, index) => (
         <span
           key={word}
-          className={`rounded-full px-4 py-2 font-medium text-neutral-800 text-sm dark:text-neutral-100 ${steps[index % steps.length]}`}
+          className={`rounded-full px-4 py-2 font-medium text-neutral-800 text-sm transition-shadow duration-300 dark:text-neutral-100 ${steps[index % steps.length]}`}
         >
           {word}
         </span>

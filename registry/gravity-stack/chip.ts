@@ -20,6 +20,8 @@ export interface Chip {
   y: number
   angle: number
   pinch: string
+  /** Whether styles have been told its angle since it was last drawn. */
+  told?: boolean
 }
 
 /** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
@@ -59,4 +61,14 @@ export function draw(chip: Chip) {
   const { element, x, y, angle } = chip
   const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
   element.style.transform = at + chip.pinch
+  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
+  if (chip.told) element.style.removeProperty('--chip-angle')
+  chip.told = false
+}
+
+/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
+export function tellAngle(chip: Chip) {
+  const turns = chip.angle / (2 * Math.PI)
+  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
+  chip.told = true
 }

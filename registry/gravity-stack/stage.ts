@@ -1,6 +1,6 @@
 import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
-import { type Chip, draw, look, round } from './chip'
+import { type Chip, draw, look, round, tellAngle } from './chip'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { LIMITS, sane, warn, written } from './input'
 import { createPointers, FIRST, hearing } from './pointers'
@@ -422,6 +422,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     root.setAttribute('data-state', next)
     // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
     root.toggleAttribute('data-halted', !live && next !== 'waiting')
+    if (next === 'resting') bodies.forEach(tellAngle)
     // After the frame: an error in it would end Motion's loop for the whole page.
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
