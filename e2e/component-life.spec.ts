@@ -1,4 +1,4 @@
-import { expect, test } from './fixtures/stage'
+import { expect, StagePage, test } from './fixtures/stage'
 
 test('after a hundred mounts nothing is left of any but the last', async ({ stage, page }) => {
   await stage.settled('mounts')
@@ -116,4 +116,28 @@ test('a stage that was scaled to nothing and goes leaves no timer behind', async
   await expect(stage.root).toHaveCount(0)
   await stage.probe((probe) => probe.pass(30))
   await stage.isGone()
+})
+
+test('a pile goes on, and another begins, after an error of somebody else has ended Motion’s loop for the page', async ({
+  stage,
+  page,
+}) => {
+  await stage.open('surroundings', { kind: 'foreign error' })
+  await expect(stage.chip('two')).toHaveAttribute('data-state', 'falling')
+  await page.locator('#throw').evaluate((button: HTMLElement) => button.click())
+  await expect
+    .poll(() => stage.probe((probe) => probe.errors.splice(0).join()))
+    .toContain('of another component')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
+  expect(await stage.during('frames')).toBe(0)
+
+  await page.locator('#next').click()
+  const second = new StagePage(page, page.locator('[data-slot=gravity-stack]').nth(1))
+  await second.reaches('resting')
+
+  await stage.drag(stage.chip('two'), 40, -90)
+  await stage.hangs(stage.chip('two'))
+  await page.mouse.up()
+  await stage.reaches('resting')
 })

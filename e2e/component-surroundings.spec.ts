@@ -98,7 +98,7 @@ test('what of a pile reaches out of its stage is cut off, and takes no press the
   expect(pressed).toBe(0)
 })
 
-test('ten stages on a page share one frame loop', async ({ stage, page }) => {
+test('ten stages on a page share Motion’s frame loop, and each asks for one frame more at a time, in case that ends', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 1000 })
   await stage.open('places', { kind: 'many' })
   const running = page.locator('[data-slot=gravity-stack][data-state=running]')
@@ -108,7 +108,7 @@ test('ten stages on a page share one frame loop', async ({ stage, page }) => {
     await window.probe.pass(10)
     return { asked: window.probe.frames - before, passed: 10 }
   })
-  expect(asked).toBeLessThanOrEqual(passed + 1)
+  expect(asked).toBeLessThanOrEqual(11 * (passed + 1))
   await expect(page.locator('[data-slot=gravity-stack][data-state=resting]')).toHaveCount(10)
   expect(await stage.during('frames')).toBe(0)
   expect(await stage.probe((probe) => probe.observed.intersection)).toBe(10)

@@ -31,6 +31,7 @@ const headings = {
   chip: 'how a chip looks, and how it is drawn',
   pointers: 'presses, drags and taps',
   view: 'what of a stage is in view',
+  loop: 'a call in every frame',
   stage: 'the DOM: measure, paint, observe, loop',
   'gravity-stack': 'the React component',
 }

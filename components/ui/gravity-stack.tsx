@@ -4063,6 +4063,45 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   return Math.min(wide, whole.width) * Math.min(high, whole.height)
 }
 
+// loop: a call in every frame ───────────────────────────────────────────────────────────────────────────────
+
+/** Calls `tick` once in every frame of a window, from `start` to `stop`. */
+function createLoop(view: View, tick: () => void) {
+  /** Whether Motion has called nothing since the window's last frame. */
+  let missed = false
+  let request = 0
+
+  /** Motion's loop has it write after all that animations of the page read. */
+  function run() {
+    missed = false
+    tick()
+  }
+
+  /**
+   * The window's own frames, for when Motion's loop stands still. An error in anybody's callback ends that loop for good, and
+   * a window opened by the page goes on while the page itself is hidden.
+   */
+  function watch() {
+    request = view.requestAnimationFrame(watch)
+    if (missed) tick()
+    missed = true
+  }
+
+  return {
+    start() {
+      if (request) return
+      frame.render(run, true)
+      missed = false
+      watch()
+    },
+    stop() {
+      cancelFrame(run)
+      view.cancelAnimationFrame(request)
+      request = 0
+    },
+  }
+}
+
 // stage: the DOM: measure, paint, observe, loop ─────────────────────────────────────────────────────────────
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
@@ -4147,6 +4186,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let kicks = 0
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
+  const loop = createLoop(view, tick)
   const pointers = createPointers(root, {
     find(element) {
       const chip = chips.get(element!)
@@ -4455,9 +4495,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
               : 'paused'
     const running = next === 'running'
     clearTimeout(timer)
-    if (running && !idle) frame.render(tick, true)
+    if (running && !idle) loop.start()
     else {
-      cancelFrame(tick)
+      loop.stop()
       last = undefined
       // Nothing moves before the next release: a timer is enough until then.
       if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)

@@ -1,8 +1,8 @@
-import { cancelFrame, frame } from 'motion'
 import { STATE, X, Y } from './body'
 import { type Chip, draw, look, round, tellAngle } from './chip'
 import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
 import { LIMITS, sane, warn, written } from './input'
+import { createLoop } from './loop'
 import { createPointers, FIRST, hearing } from './pointers'
 import { createWorld, type World } from './simulation'
 import { shownAtMost, type View, watched, watcherOf } from './view'
@@ -89,6 +89,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let kicks = 0
   /** Ends all listeners. There from when the stage comes into view until it is detached. */
   let listening: AbortController | undefined
+  const loop = createLoop(view, tick)
   const pointers = createPointers(root, {
     find(element) {
       const chip = chips.get(element!)
@@ -397,9 +398,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
               : 'paused'
     const running = next === 'running'
     clearTimeout(timer)
-    if (running && !idle) frame.render(tick, true)
+    if (running && !idle) loop.start()
     else {
-      cancelFrame(tick)
+      loop.stop()
       last = undefined
       // Nothing moves before the next release: a timer is enough until then.
       if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
