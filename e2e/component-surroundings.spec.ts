@@ -98,7 +98,10 @@ test('what of a pile reaches out of its stage is cut off, and takes no press the
   expect(pressed).toBe(0)
 })
 
-test('ten stages on a page share Motion’s frame loop, and each asks for one frame more at a time, in case that ends', async ({ stage, page }) => {
+test('ten stages on a page share Motion’s frame loop, and each asks for one frame more at a time, in case that ends', async ({
+  stage,
+  page,
+}) => {
   await page.setViewportSize({ width: 800, height: 1000 })
   await stage.open('places', { kind: 'many' })
   const running = page.locator('[data-slot=gravity-stack][data-state=running]')
