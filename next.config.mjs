@@ -40,6 +40,13 @@ export const cn = createEngine(tables).merge
     cn: './.contentlayer/cn.mjs',
     'next/dist/compiled/process': './.contentlayer/process.mjs',
     '../build/polyfills/polyfill-module': './.contentlayer/no-polyfills.mjs',
+    // What Next shows for a page that React gave up on, which brings a stylesheet of its own: ours is shorter.
+    ...Object.fromEntries(
+      ['./builtin/global-error', '../components/builtin/global-error'].map((path) => [
+        path,
+        './app/global-error.tsx',
+      ]),
+    ),
     ...Object.fromEntries(
       ['./scheduler', './segment-cache/scheduler', '../../segment-cache/scheduler'].map((path) => [
         path,

@@ -56,6 +56,13 @@ export const MenuIcon = () => (
   </Icon>
 )
 
+export const SearchIcon = () => (
+  <Icon>
+    <circle cx="7" cy="7" r="4.25" />
+    <path d="m10.2 10.2 3.3 3.3" />
+  </Icon>
+)
+
 export const ArrowIcon = (props: SVGProps<SVGSVGElement>) => (
   <Icon {...props}>
     <path d="M3 8h10M9 4l4 4-4 4" />

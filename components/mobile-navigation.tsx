@@ -20,7 +20,7 @@ export function MobileNavigation({ icon, children }: { icon: ReactNode; children
         type="button"
         aria-label="Menu"
         onClick={open}
-        className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground hover:bg-muted hover:text-foreground"
+        className="inline-flex h-9 w-[min(2.25rem,12vw)] items-center justify-center rounded-md text-muted-foreground hover:bg-muted hover:text-foreground"
       >
         {icon}
       </button>

@@ -25,7 +25,7 @@ export function PropsTable() {
       </thead>
       <tbody>
         {readProps().map((prop) => (
-          <tr key={prop.name} className="border-b align-baseline last:border-0">
+          <tr key={prop.name} id={`prop-${prop.name}`} className="border-b align-baseline last:border-0">
             <th scope="row" className="px-3 py-3 sm:px-4 font-medium font-mono text-[0.8125rem]">
               {prop.name}
               <span className="block break-words font-normal text-muted-foreground text-xs">
@@ -62,7 +62,11 @@ export function ActionsTable() {
       </thead>
       <tbody>
         {readActions().map((action) => (
-          <tr key={action.name} className="border-b align-baseline last:border-0">
+          <tr
+            key={action.name}
+            id={`action-${action.name}`}
+            className="border-b align-baseline last:border-0"
+          >
             <th scope="row" className="px-3 py-3 sm:px-4 font-medium font-mono text-[0.8125rem]">
               {action.name}()
             </th>

@@ -2,6 +2,7 @@ import { navigation } from '@/lib/docs'
 import { DocsNavigation } from './docs-navigation'
 import { MenuIcon, MoonIcon, SunIcon } from './icons'
 import { MobileNavigation } from './mobile-navigation'
+import { Search } from './search'
 import { ThemeToggle } from './theme-toggle'
 import { Mark } from './wordmark'
 
@@ -34,7 +35,7 @@ export function SiteHeader() {
         Skip to content
       </a>
       <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
-        <a href="/" className="mr-4 flex min-w-0 items-center gap-2.5 font-semibold tracking-tight">
+        <a href="/" className="flex min-w-0 sm:mr-4 items-center gap-2.5 font-semibold tracking-tight">
           <Mark className="size-6 shrink-0" />
           <span className="truncate">Gravity Stack</span>
         </a>
@@ -54,6 +55,7 @@ export function SiteHeader() {
         {/* biome-ignore lint/security/noDangerouslySetInnerHtml: a constant of ours */}
         <script dangerouslySetInnerHTML={{ __html: markCurrent }} />
         <div className="ml-auto flex items-center gap-1">
+          <Search />
           <ThemeToggle>
             <SunIcon className="dark:hidden" />
             <MoonIcon className="hidden dark:block" />

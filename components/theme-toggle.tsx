@@ -42,7 +42,7 @@ export function ThemeToggle({ children }: { children: ReactNode }) {
         const dark = document.documentElement.classList.toggle('dark')
         save('theme', dark ? 'dark' : 'light')
       }}
-      className="inline-flex size-9 items-center justify-center rounded-md text-muted-foreground transition-colors hover:bg-muted hover:text-foreground"
+      className="inline-flex h-9 w-[min(2.25rem,12vw)] items-center justify-center rounded-md text-muted-foreground transition-colors hover:bg-muted hover:text-foreground"
     >
       {children}
     </button>

@@ -1,0 +1,17 @@
+'use client'
+
+/** What stands in the place of a page that React gave up on. Without the site's styles: those may be what is missing. */
+export default function GlobalError() {
+  return (
+    <html lang="en">
+      <body style={{ colorScheme: 'light dark', font: '1rem/1.6 system-ui', padding: '20vh 10vw' }}>
+        <h1>This page can’t be shown</h1>
+        <p>
+          <button type="button" onClick={() => location.reload()}>
+            Reload it
+          </button>
+        </p>
+      </body>
+    </html>
+  )
+}
