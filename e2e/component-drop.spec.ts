@@ -25,10 +25,15 @@ test('pills, boxes and discs in one pile lie still within 6 s, and apart', async
 
 test('the drop waits until a quarter of the stage is in view', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 600 })
-  await stage.open('pile', { above: 900, below: 900 })
+  await stage.open('pile', { above: 1300, below: 900 })
   await stage.reaches('static')
-  await page.mouse.wheel(0, 300 + 340 * 0.2)
+  // Within a screen of the view it gets ready.
+  await page.mouse.wheel(0, 400)
   await stage.reaches('waiting')
+  await page.mouse.wheel(0, 300 + 340 * 0.2)
+  await expect.poll(() => page.evaluate(() => scrollY)).toBe(768)
+  await stage.probe((probe) => probe.pass(3))
+  await expect(stage.root).toHaveAttribute('data-state', 'waiting')
   expect(new Set(await stage.states())).toEqual(new Set(['waiting']))
   await page.mouse.wheel(0, 340 * 0.1)
   await stage.reaches('running')

@@ -59,6 +59,18 @@ test('whatever interactive is given counts as true or false, and a developer is 
   }
 })
 
+test('whatever upright is given counts as true or false, and a developer is told which', async ({
+  stage,
+}) => {
+  const off = ['nan', 'null', 'false']
+  for (const { value, text, one } of await open(stage, 'upright')) {
+    await expectPile(one, value)
+    const warning = await told(stage, 'upright', text)
+    if (value === 'false') expect(warning).toBeUndefined()
+    else expect(warning).toContain(`, so it counts as ${!off.includes(value)}. Pass true or false.`)
+  }
+})
+
 test('an onSettle that can’t be called is not, and a developer is told so', async ({ stage }) => {
   const stages = await open(stage, 'onSettle')
   for (const { value, one } of stages) await expectPile(one, value)

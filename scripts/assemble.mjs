@@ -27,6 +27,8 @@ const headings = {
   step: 'one step of all that is awake',
   simulation: 'what the stage calls',
   drop: 'where and when each chip starts',
+  'release-queue': 'whose turn it is, and the clock of the stage',
+  'look-ahead': 'how each chip will lie, before anyone sees it',
   input: 'what a caller may pass, and what stands in for the rest',
   chip: 'how a chip looks, and how it is drawn',
   pointers: 'presses, drags and taps',

@@ -2901,11 +2901,18 @@ class Simulation extends Scene {
   /** px/s, speed of the fastest point of the present island when its step began, and whether very unequal masses fly about in it. */
   speed = 0.5
   crushing = false
+  /** s, time handed in and not simulated yet. */
+  left = 0.5
+  /** Ids of removed bodies, which the next bodies get. */
+  freeSlots: number[] = []
+  /** How often the world was changed from outside, other than by a new body. */
+  revision = 0
 
   constructor(substeps: number, damping: number, spinDamping: number) {
     super()
     const h = STEP / substeps
     this.substeps = substeps
+    this.left = 0
     this.h = h
     // What nothing brakes in the air slides as Coulomb says: so it is measured.
     this.stiction = damping > 0 ? STICTION : 0
@@ -3323,15 +3330,12 @@ function createWorld(options: WorldOptions) {
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const freeSlots: number[] = []
   const pose: Float64Array = new Float64Array(3)
-  /** s, time handed in and not simulated yet. */
-  let left = 0
 
   return {
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
-      const i = freeSlots.pop() ?? bodies.count++
+      const i = scene.freeSlots.pop() ?? bodies.count++
       const capacity = bodies.alive.length
       if (capacity < bodies.count)
         for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
@@ -3350,18 +3354,20 @@ function createWorld(options: WorldOptions) {
     /** Takes body `id` out; what leaned on it wakes. */
     remove(id: number): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
       const at = bodies.awake.indexOf(id)
       bodies.awake.copyWithin(at, at + 1, bodies.awakeCount--)
       bodies.alive[id] = 0
-      freeSlots.push(id)
+      scene.freeSlots.push(id)
     },
 
     /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
     place(id: number, motion: Motion): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       put(id, motion)
       forget(id)
@@ -3370,6 +3376,7 @@ function createWorld(options: WorldOptions) {
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
@@ -3379,6 +3386,7 @@ function createWorld(options: WorldOptions) {
     /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
       if (size(width) === walls.width && size(height) === walls.height) return
+      scene.revision++
       walls.width = size(width)
       walls.height = size(height)
       wakeAll()
@@ -3390,6 +3398,7 @@ function createWorld(options: WorldOptions) {
 
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
+      scene.revision++
       const { state, before, awake, awakeCount } = bodies
       const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
@@ -3415,6 +3424,7 @@ function createWorld(options: WorldOptions) {
         contacts.data[k + SECOND + LOAD] *= share
         contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
       }
+      scene.revision++
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
       wakeAll()
@@ -3422,10 +3432,10 @@ function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      left += within(seconds, 0, 3600, 0)
+      scene.left += within(seconds, 0, 3600, 0)
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
-      while (left >= STEP * 0.999) {
-        left -= STEP
+      while (scene.left >= STEP * 0.999) {
+        scene.left -= STEP
         if (bodies.awakeCount > 0) stepOnce(scene)
       }
     },
@@ -3439,6 +3449,7 @@ function createWorld(options: WorldOptions) {
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
       if (bodies.alive[id]) {
+        scene.revision++
         disturb(scene, id)
         bodies.held[id]++
         holds.push(hold)
@@ -3451,6 +3462,7 @@ function createWorld(options: WorldOptions) {
         release() {
           const n = holds.indexOf(hold)
           if (n < 0) return
+          scene.revision++
           holds.splice(n, 1)
           bodies.held[id]--
           throwVelocity(bodies, hold)
@@ -3461,6 +3473,27 @@ function createWorld(options: WorldOptions) {
       }
     },
 
+    /** Becomes the same as `other`, bit for bit, without what is held there: from then on equal steps keep both equal. */
+    follow(other: { scene: Simulation }): void {
+      copy(other.scene, scene)
+      bodies.held.fill(0)
+    },
+
+    /** Whether `other` still goes the way that this world went when it followed it: nothing but time and new bodies came since. */
+    follows(other: { scene: Simulation }): boolean {
+      return scene.revision === other.scene.revision
+    },
+
+    /** s, time handed in and not simulated yet. */
+    get left(): number {
+      return scene.left
+    },
+
+    /** Writes x, y (px), angle (rad), vx, vy (px/s) and spin (rad/s) of body `id` into `out`. */
+    readInto(id: number, out: Float64Array): void {
+      for (let n = 0; n < out.length; n++) out[n] = bodies.state[id * STATE + n]
+    },
+
     /** What the world is made of. */
     scene,
 
@@ -3469,7 +3502,7 @@ function createWorld(options: WorldOptions) {
 
     /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
-      const share = within(left / STEP, 0, 1, 0)
+      const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
@@ -3517,6 +3550,21 @@ function createWorld(options: WorldOptions) {
     pairs.box[i * 4] = Infinity
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
       forgetContact(contacts, edge >> 1)
+  }
+}
+
+/** Makes every number and array inside `to` what it is inside `from`. Holds stay apart: they are shared with whoever grabbed. */
+function copy(from: object, to: object): void {
+  const target = to as Record<string, unknown>
+  for (const [name, value] of Object.entries(from)) {
+    if (name === 'holds') continue
+    const own = target[name]
+    if (typeof value !== 'object') target[name] = value
+    else if (Array.isArray(value)) target[name] = [...value]
+    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
+    else if ((own as Float64Array).length === (value as Float64Array).length)
+      (own as Float64Array).set(value as Float64Array)
+    else target[name] = (value as Float64Array).slice()
   }
 }
 
@@ -3578,6 +3626,20 @@ function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
+/** What is released, and how. */
+interface Release {
+  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
+  width: number
+  height: number
+  radius: number
+  reach: number
+  /** Number of its release, and its time on the stage's clock, s. */
+  order: number
+  due: number
+  /** In the world, or -1. */
+  id: number
+}
+
 /** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
 interface Obstacle {
   x: number
@@ -3615,6 +3677,262 @@ function releasePose(
     vx: DRIFT * either(4),
     vy: gravity < FAINT_GRAVITY ? FAINT_SPEED : 0,
     spin: TWIST * either(5),
+  }
+}
+
+// chip: how a chip looks, and how it is drawn ───────────────────────────────────────────────────────────────
+
+// From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
+// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
+
+/** A child of the stage, in the element that the component wraps it in. */
+interface Chip extends Release {
+  element: HTMLElement
+  state: 'waiting' | 'falling' | 'held' | 'resting'
+  /** rad by which it is drawn turned on its body, and whether that stays. */
+  turn: number
+  turned: boolean
+  /** Pose as drawn, its turn included, and what draws it smaller in a hand. */
+  x: number
+  y: number
+  angle: number
+  pinch: string
+  /** Whether styles have been told its angle since it was last drawn. */
+  told?: boolean
+}
+
+/** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
+function look(chip: Chip, changes: MutationObserver) {
+  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
+  let face: CSSStyleDeclaration | undefined
+  let next: Element | null
+  for (let child = chip.element.firstElementChild; child; child = next) {
+    const style = getComputedStyle(child)
+    // One without a box of its own is drawn as what is in it.
+    next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
+    if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
+    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
+    changes.observe(child, { attributeFilter: ['class', 'style'] })
+    face = style
+    break
+  }
+  if (!face) chip.element.style.borderRadius = ''
+  // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
+  // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
+  const corners = (face ?? getComputedStyle(chip.element)).borderRadius
+    .replace(/(calc.)?infinity . /g, '9e9')
+    .split(/[ /]+/)
+  const short = Math.min(chip.width, chip.height)
+  chip.radius = Math.min(
+    ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
+    short / 2,
+  )
+}
+
+/** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
+function round({ element, radius }: Chip) {
+  element.style.borderRadius = `${radius}px`
+}
+
+/** px, how far below its middle a chip reaches that is drawn at `angle`. */
+function halfHeight({ width, height, radius }: Chip, angle: number) {
+  const sin = Math.abs(Math.sin(angle))
+  const cos = Math.abs(Math.cos(angle))
+  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
+}
+
+function draw(chip: Chip) {
+  const { element, x, y, angle } = chip
+  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
+  element.style.transform = at + chip.pinch
+  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
+  if (chip.told) element.style.removeProperty('--chip-angle')
+  chip.told = false
+}
+
+/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
+function tellAngle(chip: Chip) {
+  const turns = chip.angle / (2 * Math.PI)
+  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
+  chip.told = true
+}
+
+// release-queue: whose turn it is, and the clock of the stage ───────────────────────────────────────────────
+
+/** A world, and what was released into it, by the ids of the bodies. */
+interface Pile<T extends Release = Release> {
+  world: World
+  chips: T[]
+}
+
+/** x and y of a body. */
+const middle: Float64Array = new Float64Array(2)
+
+/** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
+function addReleased<T extends Release>(
+  { world, chips }: Pile<T>,
+  next: T,
+  stageWidth: number,
+  gravity: number,
+): number {
+  const obstacles: Obstacle[] = []
+  chips.forEach(({ reach }, id) => {
+    world.readInto(id, middle)
+    if (middle[1]! < reach) obstacles.push({ x: middle[0]!, y: middle[1]!, reach })
+  })
+  const { order, width, height, radius } = next
+  const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
+  const id = world.add({ width, height, radius, ...pose })
+  chips[id] = next
+  return id
+}
+
+/** The chips whose release is to come, and the stage's clock, which their releases go by. */
+function createReleaseQueue() {
+  let count = 0
+  /** s, the least time of the next release to be planned. */
+  let slot = 0
+
+  function schedule(chip: Chip) {
+    const { chips, clock, stagger } = queue
+    // Nobody can use what still waits out of sight.
+    chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
+    slot = Math.max(slot, clock) + stagger / 1000
+    let place = chips.length
+    while (place > 0 && chips[place - 1]!.due > chip.due) place--
+    chips.splice(place, 0, chip)
+    queue.revision++
+  }
+
+  const queue = {
+    /** Those that wait, the next one first. */
+    chips: [] as Chip[],
+    /** s simulated since the drop began. */
+    clock: 0,
+    /** s, time of the last release. */
+    latest: -Infinity,
+    /** ms between two releases. */
+    stagger: 0,
+    /** How often something waiting came, went, changed or got another time. */
+    revision: 0,
+
+    /** Begins a drop, with the clock at `clock` and nothing waiting. */
+    restart(clock: number) {
+      count = slot = 0
+      queue.clock = clock
+      queue.chips = []
+      queue.latest = -Infinity
+      queue.revision++
+    },
+
+    /** Lets a chip wait for its turn behind all that were added before. */
+    add(chip: Chip) {
+      chip.order = count++
+      schedule(chip)
+    },
+
+    /** Takes a chip out; returns whether it waited. */
+    remove(chip: Chip) {
+      const place = queue.chips.indexOf(chip)
+      if (place < 0) return false
+      queue.chips.splice(place, 1)
+      queue.revision++
+      return true
+    },
+
+    /** Times the releases to come anew. */
+    reschedule() {
+      const waiting = queue.chips
+      queue.chips = []
+      // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
+      slot = Math.max(0, queue.latest + queue.stagger / 1000)
+      waiting.forEach(schedule)
+    },
+  }
+  return queue
+}
+
+// look-ahead: how each chip will lie, before anyone sees it ─────────────────────────────────────────────────
+
+// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie; equal steps give equal
+// bits, so it tells the truth. A chip is then drawn turned from the start: after half a turn its body is the same, and so is the pile.
+
+/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
+const FORESIGHT = 3
+/** ms of one slice of this work. */
+const LOOK_SLICE = 4
+
+type Outline = Pick<Release, 'width' | 'height' | 'radius'>
+
+/** rad that turn a body lying at `angle` as near to upright as it goes without a change of its outline. */
+function uprightTurn({ width, height, radius }: Outline, angle: number) {
+  if (width === height && radius >= width / 2) return -angle
+  const same = width === height ? Math.PI / 2 : Math.PI
+  return -same * Math.round(angle / same)
+}
+
+/** What is to come on a stage: its releases, in their order, and its clock, s. */
+interface Coming<T extends Release = Release> {
+  chips: T[]
+  clock: number
+  /** Another number whenever something else is to come than before. */
+  revision: number
+}
+
+/** `prepare` is called with each chip before its release in the copy. */
+function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
+  let copy: Pile<T> | undefined
+  let waiting: T[] = []
+  let revision = Number.NaN
+  /** s of the stage's clock to which the copy has come. */
+  let time = 0
+  const motion: Float64Array = new Float64Array(3)
+
+  return {
+    /**
+     * Lets the copy go on for a slice, from the shown pile if something has interfered with that, or if the copy has fallen behind.
+     * Returns whether it is as far ahead as it is to go.
+     */
+    advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
+      const end = performance.now() + LOOK_SLICE
+      const now = coming.clock - shown.world.left
+      copy ??= { world: createWorld({ width: 1, height: 1 }), chips: [] }
+      const { world } = copy
+      if (revision !== coming.revision || !world.follows(shown.world) || time < now - STEP / 2) {
+        world.follow(shown.world)
+        copy.chips = shown.chips.slice()
+        waiting = [...coming.chips]
+        revision = coming.revision
+        time = now
+      }
+      // Where nothing moves the next thing to happen is a release.
+      const first = coming.chips[0]
+      const horizon = FORESIGHT + (first && shown.world.resting ? first.due : now)
+      while (time < horizon && (waiting[0] || !world.resting)) {
+        if (performance.now() > end) return false
+        time += STEP
+        while (waiting[0] && waiting[0].due < time) {
+          const chip = waiting.shift()!
+          prepare(chip)
+          addReleased(copy, chip, stageWidth, gravity)
+        }
+        world.step(STEP)
+      }
+      return true
+    },
+
+    /** rad at which the body of a released chip is expected to lie, as far as that is known by now. */
+    expectedAngle(chip: T): number | undefined {
+      if (copy?.chips[chip.id] !== chip) return
+      copy.world.readInto(chip.id, motion)
+      return motion[2]
+    },
+
+    /** Gives the copy back. */
+    end() {
+      copy = undefined
+      revision = Number.NaN
+    },
   }
 }
 
@@ -3657,83 +3975,6 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
       `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
     )
   return result
-}
-
-// chip: how a chip looks, and how it is drawn ───────────────────────────────────────────────────────────────
-
-// From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
-// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
-
-/** A child of the stage, in the element that the component wraps it in. */
-interface Chip {
-  element: HTMLElement
-  state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
-  width: number
-  height: number
-  radius: number
-  reach: number
-  /** Number of its release, and its time on the stage's clock, s. */
-  turn: number
-  due: number
-  /** In the world, or -1. */
-  id: number
-  /** Pose as drawn, and what draws it smaller in a hand. */
-  x: number
-  y: number
-  angle: number
-  pinch: string
-  /** Whether styles have been told its angle since it was last drawn. */
-  told?: boolean
-}
-
-/** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
-function look(chip: Chip, changes: MutationObserver) {
-  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
-  let face: CSSStyleDeclaration | undefined
-  let next: Element | null
-  for (let child = chip.element.firstElementChild; child; child = next) {
-    const style = getComputedStyle(child)
-    // One without a box of its own is drawn as what is in it.
-    next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
-    if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
-    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
-    changes.observe(child, { attributeFilter: ['class', 'style'] })
-    face = style
-    break
-  }
-  if (!face) chip.element.style.borderRadius = ''
-  // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-  // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
-  const corners = (face ?? getComputedStyle(chip.element)).borderRadius
-    .replace(/(calc.)?infinity . /g, '9e9')
-    .split(/[ /]+/)
-  const short = Math.min(chip.width, chip.height)
-  chip.radius = Math.min(
-    ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
-    short / 2,
-  )
-}
-
-/** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
-function round({ element, radius }: Chip) {
-  element.style.borderRadius = `${radius}px`
-}
-
-function draw(chip: Chip) {
-  const { element, x, y, angle } = chip
-  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-  element.style.transform = at + chip.pinch
-  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
-  if (chip.told) element.style.removeProperty('--chip-angle')
-  chip.told = false
-}
-
-/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
-function tellAngle(chip: Chip) {
-  const turns = chip.angle / (2 * Math.PI)
-  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
-  chip.told = true
 }
 
 // pointers: presses, drags and taps ─────────────────────────────────────────────────────────────────────────
@@ -4024,23 +4265,28 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
 
 type View = typeof globalThis & Window
 
-const watchers = new WeakMap<View, IntersectionObserver>()
-const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
+type Observers = { view: IntersectionObserver; near: IntersectionObserver }
 
-/** Tells what is in view of those that are in `watched`; all stages of a window share it. */
-function watcherOf(view: View) {
-  let watcher = watchers.get(view)
-  if (!watcher) {
-    watcher = new view.IntersectionObserver(
-      (entries) => {
-        for (const entry of entries) watched.get(entry.target)?.(entry)
-      },
+const observers = new WeakMap<View, Observers>()
+/** What is called with each entry of a stage, whether it is near the view or in it. */
+const watched = new WeakMap<Element, (entry: IntersectionObserverEntry, near: boolean) => void>()
+
+/** Tell what of those that are in `watched` is in view, and what is within a screen of it; all stages of a window share them. */
+function observersOf(view: View): Observers {
+  let both = observers.get(view)
+  if (!both) {
+    const observer = (near: boolean, options: object) =>
+      new view.IntersectionObserver((entries) => {
+        for (const entry of entries) watched.get(entry.target)?.(entry, near)
+      }, options)
+    both = {
       // Of a very tall stage even a hundredth may be all that fits.
-      { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
-    )
-    watchers.set(view, watcher)
+      view: observer(false, { threshold: Array.from({ length: 101 }, (_, i) => i / 100) }),
+      near: observer(true, { rootMargin: '100%' }),
+    }
+    observers.set(view, both)
   }
-  return watcher
+  return both
 }
 
 /** The element around another, outside of a shadow tree too. */
@@ -4122,6 +4368,8 @@ const SHAKE = 230
 /** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
 const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
+/** s that the first release waits at most for how its chips will lie to be known. */
+const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
 interface StageOptions {
   gravity?: number | undefined
@@ -4129,6 +4377,7 @@ interface StageOptions {
   friction?: number | undefined
   stagger?: number | undefined
   interactive: boolean
+  upright: boolean
   onSettle?: (() => void) | undefined
 }
 
@@ -4145,16 +4394,21 @@ interface Stage {
   detach(): void
 }
 
+/** What is read of a body: x, y, angle, and their rates. */
+const motion: Float64Array = new Float64Array(6)
+
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   // Observers are of the stage's own window: in one that the page has opened no other sees it.
   const view = page.defaultView as View
-  const watcher = watcherOf(view)
+  const observers = observersOf(view)
   const still = view.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
-  /** Chips whose release is to come, the next one first. */
-  let queue: Chip[] = []
+  const queue = createReleaseQueue()
+  const lookAhead = createLookAhead<Chip>((chip) => {
+    if (Number.isNaN(chip.radius)) look(chip, changes)
+  })
   let bodies: Chip[] = []
   let options: StageOptions & { [name in keyof typeof LIMITS]: number }
   let world: World | undefined
@@ -4163,19 +4417,20 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let state = 'static'
   /** Running or resting: people may touch it. */
   let live = false
+  /** Whether it is worth to know how chips will lie: before and during a drop. */
+  let planning = false
   let started = false
   let inView = false
+  /** Whether the stage was ever in view. */
+  let seenOnce = false
   /** Whether sizes are watched: not where chips stand in their row. */
   let moving = false
-  /** s simulated since the stage began, and ms of the frame before, while frames run. */
-  let clock = 0
+  /** ms of the frame before, while frames run. */
   let last: number | undefined
   /** ms, when the clock was last right, while nothing moves and no frame counts the time. */
   let idleSince: number | undefined
-  let turns = 0
-  let slot = 0
-  /** s, when the last chip was released. */
-  let released = -Infinity
+  /** The next slice of the look-ahead. */
+  let planned: ReturnType<typeof setTimeout> | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
@@ -4193,12 +4448,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       return chip && chip.id >= 0 && live ? chip : undefined
     },
     take(chip, offX, offY) {
-      const poses = world!.scene.bodies.state
-      const x = poses[chip.id * STATE + X]
-      const y = poses[chip.id * STATE + Y]
+      world!.readInto(chip.id, motion)
       fetched = false
       toFront(chip)
-      return world!.grab(chip.id, x + offX, y + offY)
+      return world!.grab(chip.id, motion[0]! + offX, motion[1]! + offY)
     },
     show(chip, state) {
       mark(chip, state)
@@ -4245,8 +4498,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   })
 
   function lookAgain() {
-    watcher.unobserve(root)
-    watcher.observe(root)
+    observers.view.unobserve(root)
+    observers.view.observe(root)
   }
 
   /** Chips come, go and change their look without a word from React. */
@@ -4263,7 +4516,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
+      chips.set(element, {
+        element,
+        state: 'waiting',
+        width: 0,
+        radius: Number.NaN,
+        id: -1,
+        angle: 0,
+        pinch: '',
+      } as Chip)
       if (moving) sizes.observe(element)
       // It has come with the focus.
       if (element.matches(':focus-within')) focus({ target: element })
@@ -4275,7 +4536,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       waited = withdraw(chip) || waited
       chips.delete(element)
     })
-    if (waited) requeue()
+    if (waited) queue.reschedule()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -4298,22 +4559,34 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
         )
       chip.width = 0
-      if (withdraw(chip)) requeue()
+      if (withdraw(chip)) queue.reschedule()
       return
     }
     const known = chip.width === chipWidth && chip.height === chipHeight
-    if (!chip.width) enqueue(chip)
+    if (!chip.width) queue.add(chip)
     chip.width = chipWidth
     chip.height = chipHeight
     chip.reach = reach(chipWidth, chipHeight)
     // What still waits is looked at when its turn comes: at first that would be all of them in one frame.
-    if (chip.id < 0) return
+    if (chip.id < 0) {
+      chip.radius = Number.NaN
+      queue.revision++
+      return
+    }
     const { radius } = chip
     look(chip, changes)
     if (known && chip.radius === radius) return
+    takeTurn(chip)
     world!.reshape(chip.id, chip)
     draw(chip)
     round(chip)
+  }
+
+  /** Turns the body of a chip to where it is drawn: in another shape it would no longer look the same turned. */
+  function takeTurn(chip: Chip) {
+    world!.readInto(chip.id, motion)
+    if (chip.turn) world!.place(chip.id, { angle: motion[2]! + chip.turn })
+    chip.turn = 0
   }
 
   // Releases
@@ -4321,99 +4594,77 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   function begin() {
     world = createWorld({ width, height, ...options })
     bodies = []
-    queue = []
-    clock = turns = slot = 0
-    released = -Infinity
+    queue.restart(options.upright ? -HEAD_START : 0)
     idleSince = undefined
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
       const chip = chips.get(element)
       if (!chip) continue
-      chip.id = -1
-      mark(chip, 'waiting')
-      if (chip.width) enqueue(chip)
+      reset(chip)
+      if (chip.width) queue.add(chip)
     }
-  }
-
-  function enqueue(chip: Chip) {
-    chip.turn = turns++
-    schedule(chip)
-  }
-
-  function schedule(chip: Chip) {
-    // Nobody can use what still waits out of sight.
-    chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
-    slot = Math.max(slot, clock) + options.stagger / 1000
-    let place = queue.length
-    while (place > 0 && queue[place - 1]!.due > chip.due) place--
-    queue.splice(place, 0, chip)
-  }
-
-  /** Times the releases to come anew. */
-  function requeue() {
-    const waiting = queue
-    queue = []
-    // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
-    slot = Math.max(0, released + options.stagger / 1000)
-    waiting.forEach(schedule)
   }
 
   /** Whether it waited for its release, so that those behind it are to move up. */
   function withdraw(chip: Chip) {
-    const waited = queue.includes(chip)
-    queue = queue.filter((other) => other !== chip)
+    const waited = queue.remove(chip)
     pointers.letGo(chip)
     world?.remove(chip.id)
     delete bodies[chip.id]
-    chip.id = -1
-    mark(chip, 'waiting')
+    reset(chip)
     return waited
   }
 
+  function reset(chip: Chip) {
+    chip.id = -1
+    chip.turn = 0
+    chip.turned = false
+    mark(chip, 'waiting')
+  }
+
   function release(chip: Chip) {
-    const obstacles: Obstacle[] = []
-    const poses = world!.scene.bodies.state
-    // From the world's own array: to read every chip at every release would leave an object each on the heap.
-    bodies.forEach((other) => {
-      const x = poses[other.id * STATE + X]
-      const y = poses[other.id * STATE + Y]
-      if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
-    })
+    const { radius } = chip
     look(chip, changes)
-    const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
-    released = clock
-    chip.id = world!.add({ ...chip, ...pose })
-    chip.x = NaN
-    bodies[chip.id] = chip
+    // It has changed since it was looked at ahead of its turn.
+    if (radius !== chip.radius) queue.revision++
+    queue.latest = queue.clock
+    chip.id = addReleased({ world: world!, chips: bodies }, chip, width, options.gravity)
+    chip.x = Number.NaN
   }
 
   // The loop
 
   function advance(end: number) {
-    while (queue[0] && queue[0].due <= end) {
-      const chip = queue.shift()!
-      world!.step(chip.due - clock)
-      clock = chip.due
+    while (queue.chips[0] && queue.chips[0].due <= end) {
+      const chip = queue.chips.shift()!
+      world!.step(chip.due - queue.clock)
+      queue.clock = chip.due
       release(chip)
     }
-    world!.step(end - clock)
-    clock = end
+    world!.step(end - queue.clock)
+    queue.clock = end
   }
 
-  /** Counts the time in which nothing moved: the world has no part in it, as what moves by now has only just begun. */
+  /**
+   * Counts the time in which nothing moved. The world has no part in it, as what moves by now has only just begun: so it is whole steps,
+   * and every release falls where it does in its step.
+   */
   function catchUp() {
     if (idleSince === undefined) return
     const now = performance.now()
-    clock = Math.min(clock + (now - idleSince) / 1000, queue[0]?.due ?? Infinity)
-    idleSince = now
+    const passed = Math.min((now - idleSince) / 1000, (queue.chips[0]?.due ?? Infinity) - queue.clock)
+    const steps = STEP * Math.max(0, Math.floor(passed / STEP))
+    queue.clock += steps
+    idleSince = Math.max(idleSince + 1000 * steps, now - 1000 * STEP)
   }
 
   function tick() {
     // The time of the frame itself: smoother than the moment its callbacks run.
     const time = Number(page.timeline.currentTime)
-    advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
+    advance(queue.clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
+    plan()
     if (!world!.resting) return
     if (!options.gravity && !fetched) {
       fetched = true
@@ -4421,7 +4672,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       bodies.forEach((chip) => {
         if (chip.y < -chip.reach) {
           withdraw(chip)
-          enqueue(chip)
+          queue.add(chip)
         }
       })
     }
@@ -4433,21 +4684,33 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const { pose } = world!
     const x = pose[0]
     const y = pose[1]
-    const angle = pose[2]
+    if (!chip.turned) turnUnseen(chip, y, pose[2])
+    const angle = pose[2] + chip.turn
     const dx = x - chip.x
     const dy = y - chip.y
-    const turned = (angle - chip.angle) * chip.reach
+    const swung = (angle - chip.angle) * chip.reach
     // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
     if (Number.isNaN(chip.x)) round(chip)
     // One corner at least has gone this far. A chip never drawn compares as not a number. A chip that has fallen asleep
     // is drawn where it lies: its last movement may have been too small to be drawn.
-    if (asleep || !(dx * dx + dy * dy + turned * turned < VISIBLE)) {
+    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle
       draw(chip)
     }
     if (chip.state !== 'held') mark(chip, asleep ? 'resting' : 'falling')
+  }
+
+  /** Turns a chip to what lies upright in the end: in the last frame in which it is sure to be above the stage, where nobody sees it turn. */
+  function turnUnseen(chip: Chip, y: number, angle: number) {
+    world!.readInto(chip.id, motion)
+    const fall = LONGEST_FRAME * (motion[4]! + (LONGEST_FRAME / 2) * options.gravity)
+    if (y + chip.reach + fall < 0) return
+    chip.turned = true
+    // Before it is first drawn it is out of sight as well.
+    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
   }
 
   function mark(chip: Chip, next: Chip['state']) {
@@ -4488,7 +4751,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         ? 'waiting'
         : pausing.current
           ? 'paused'
-          : idle && !queue.length
+          : idle && !queue.chips.length
             ? 'resting'
             : inView && !page.hidden && width * height
               ? 'running'
@@ -4500,11 +4763,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       loop.stop()
       last = undefined
       // Nothing moves before the next release: a timer is enough until then.
-      if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
+      if (running) timer = setTimeout(arrive, (queue.chips[0]!.due - queue.clock) * 1000)
     }
     live = running || next === 'resting'
     idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
     if (!live) pointers.letGo()
+    planning = !!options.upright && !!world && (running || next === 'waiting')
+    plan()
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     // Not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower.
@@ -4525,15 +4790,37 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
+  // The look-ahead
+
+  /** Has the look-ahead go on outside of the frame, while there are chips that can still be turned. */
+  function plan() {
+    if (!planning || !(queue.chips.length || bodies.some(({ turned }) => !turned))) lookAhead.end()
+    else planned ??= setTimeout(lookOn)
+  }
+
+  function lookOn() {
+    planned = undefined
+    if (!planning) return
+    if (!lookAhead.advance({ world: world!, chips: bodies }, queue, width, options.gravity)) {
+      // Where no frame brings the next slice.
+      if (world!.resting) plan()
+    } else if (queue.clock < 0 && queue.latest < 0) {
+      // All is known that the first release has waited for.
+      queue.clock = 0
+      if (idleSince !== undefined) idleSince = performance.now()
+      sync()
+    }
+  }
+
   function arrive() {
     idleSince = undefined
-    advance(queue[0]!.due)
+    advance(queue.chips[0]!.due)
     sync()
   }
 
   // Coming into view, and the focus
 
-  /** The stage comes into view for the first time. Until then it has done nothing. */
+  /** The stage comes within a screen of the view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -4544,10 +4831,17 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     collect()
   }
 
-  function seen(entry: IntersectionObserverEntry) {
+  function seen(entry: IntersectionObserverEntry, near: boolean) {
+    if (near) {
+      if (!entry.isIntersecting) return
+      observers.near.unobserve(root)
+      observers.view.observe(root)
+      arm()
+      return sync()
+    }
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
-    if (inView && !listening) arm()
+    seenOnce ||= inView
     const unsized = inView && !(whole.width * whole.height)
     if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
       warn(
@@ -4595,7 +4889,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     if (chip.id < 0) {
       started = true
       catchUp()
-      requeue()
+      queue.reschedule()
     }
     if (unseen) bringIn(chip)
     sync()
@@ -4631,10 +4925,11 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     update(next) {
       const before = options
       options = { ...next } as typeof options
-      if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
-        warn(
-          `interactive is ${written(next.interactive)}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
-        )
+      for (const name of ['interactive', 'upright'] as const)
+        if (process.env.NODE_ENV !== 'production' && typeof next[name] !== 'boolean')
+          warn(
+            `${name} is ${written(next[name])}, which is neither true nor false, so it counts as ${!!next[name]}. Pass true or false.`,
+          )
       if (typeof next.onSettle !== 'function') {
         // `ready && save` is how people leave it out.
         if (process.env.NODE_ENV !== 'production' && next.onSettle)
@@ -4648,15 +4943,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
         options[name] = sane(name, next[name])
         if (options[name] !== before?.[name] && name !== 'stagger') changed = true
       }
+      queue.stagger = options.stagger
       if (listening && !options.interactive !== !before.interactive) listen()
       const paced = options.stagger !== before?.stagger
       if (!world || !(changed || paced)) return
       if (changed) world.configure(options)
-      if (paced) requeue()
+      if (paced) queue.reschedule()
       sync()
     },
     drop() {
-      if (!world || still.matches) return
+      if (!world || !seenOnce || still.matches) return
       pointers.letGo()
       started = true
       pausing.current = false
@@ -4673,17 +4969,22 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync,
     attach() {
       watched.set(root, seen)
-      watcher.observe(root)
+      observers.near.observe(root)
     },
     detach() {
       inView = false
       sync()
       pointers.letGo()
-      watcher.unobserve(root)
+      observers.near.unobserve(root)
+      observers.view.unobserve(root)
       watched.delete(root)
       listening?.abort()
       listening = undefined
       clearTimeout(unseen)
+      clearTimeout(planned)
+      planned = undefined
+      planning = false
+      lookAhead.end()
       sizes.disconnect()
       moving = false
       changes.disconnect()
@@ -4734,6 +5035,12 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   interactive?: boolean | undefined
+  /**
+   * Starts each chip turned by so many half turns (a square one by quarters, a disc by any angle) that after an undisturbed drop its
+   * words lie the right way up. The pile is the same with and without.
+   * @default true
+   */
+  upright?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
@@ -4780,6 +5087,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
     bounce,
     stagger,
     interactive = true,
+    upright = true,
     className,
     friction,
     onSettle,
@@ -4802,7 +5110,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({ gravity, bounce, friction, stagger, interactive, onSettle })
+    stage.current?.update({ gravity, bounce, friction, stagger, interactive, upright, onSettle })
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])

@@ -1,21 +1,16 @@
+import type { Release } from './drop'
+
 // From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.
 
 /** A child of the stage, in the element that the component wraps it in. */
-export interface Chip {
+export interface Chip extends Release {
   element: HTMLElement
   state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
-  width: number
-  height: number
-  radius: number
-  reach: number
-  /** Number of its release, and its time on the stage's clock, s. */
+  /** rad by which it is drawn turned on its body, and whether that stays. */
   turn: number
-  due: number
-  /** In the world, or -1. */
-  id: number
-  /** Pose as drawn, and what draws it smaller in a hand. */
+  turned: boolean
+  /** Pose as drawn, its turn included, and what draws it smaller in a hand. */
   x: number
   y: number
   angle: number
@@ -55,6 +50,13 @@ export function look(chip: Chip, changes: MutationObserver) {
 /** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
 export function round({ element, radius }: Chip) {
   element.style.borderRadius = `${radius}px`
+}
+
+/** px, how far below its middle a chip reaches that is drawn at `angle`. */
+export function halfHeight({ width, height, radius }: Chip, angle: number) {
+  const sin = Math.abs(Math.sin(angle))
+  const cos = Math.abs(Math.cos(angle))
+  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
 }
 
 export function draw(chip: Chip) {

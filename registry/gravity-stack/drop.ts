@@ -39,6 +39,20 @@ export function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
+/** What is released, and how. */
+export interface Release {
+  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
+  width: number
+  height: number
+  radius: number
+  reach: number
+  /** Number of its release, and its time on the stage's clock, s. */
+  order: number
+  due: number
+  /** In the world, or -1. */
+  id: number
+}
+
 /** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
 export interface Obstacle {
   x: number

@@ -43,6 +43,12 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   interactive?: boolean | undefined
+  /**
+   * Starts each chip turned by so many half turns (a square one by quarters, a disc by any angle) that after an undisturbed drop its
+   * words lie the right way up. The pile is the same with and without.
+   * @default true
+   */
+  upright?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
@@ -89,6 +95,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
     bounce,
     stagger,
     interactive = true,
+    upright = true,
     className,
     friction,
     onSettle,
@@ -111,7 +118,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({ gravity, bounce, friction, stagger, interactive, onSettle })
+    stage.current?.update({ gravity, bounce, friction, stagger, interactive, upright, onSettle })
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])

@@ -102,15 +102,12 @@ export function createWorld(options: WorldOptions) {
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const freeSlots: number[] = []
   const pose: Float64Array = new Float64Array(3)
-  /** s, time handed in and not simulated yet. */
-  let left = 0
 
   return {
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
-      const i = freeSlots.pop() ?? bodies.count++
+      const i = scene.freeSlots.pop() ?? bodies.count++
       const capacity = bodies.alive.length
       if (capacity < bodies.count)
         for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
@@ -129,18 +126,20 @@ export function createWorld(options: WorldOptions) {
     /** Takes body `id` out; what leaned on it wakes. */
     remove(id: number): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
       leavePairs(pairs, contacts, id)
       const at = bodies.awake.indexOf(id)
       bodies.awake.copyWithin(at, at + 1, bodies.awakeCount--)
       bodies.alive[id] = 0
-      freeSlots.push(id)
+      scene.freeSlots.push(id)
     },
 
     /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
     place(id: number, motion: Motion): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       put(id, motion)
       forget(id)
@@ -149,6 +148,7 @@ export function createWorld(options: WorldOptions) {
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
+      scene.revision++
       disturb(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
@@ -158,6 +158,7 @@ export function createWorld(options: WorldOptions) {
     /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
       if (size(width) === walls.width && size(height) === walls.height) return
+      scene.revision++
       walls.width = size(width)
       walls.height = size(height)
       wakeAll()
@@ -169,6 +170,7 @@ export function createWorld(options: WorldOptions) {
 
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
+      scene.revision++
       const { state, before, awake, awakeCount } = bodies
       const shift = (keep: number, sign: number, from: number, to: number) => {
         for (let n = from; n < to; n++)
@@ -194,6 +196,7 @@ export function createWorld(options: WorldOptions) {
         contacts.data[k + SECOND + LOAD] *= share
         contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
       }
+      scene.revision++
       scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
       wakeAll()
@@ -201,10 +204,10 @@ export function createWorld(options: WorldOptions) {
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
-      left += within(seconds, 0, 3600, 0)
+      scene.left += within(seconds, 0, 3600, 0)
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
-      while (left >= STEP * 0.999) {
-        left -= STEP
+      while (scene.left >= STEP * 0.999) {
+        scene.left -= STEP
         if (bodies.awakeCount > 0) stepOnce(scene)
       }
     },
@@ -218,6 +221,7 @@ export function createWorld(options: WorldOptions) {
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
       if (bodies.alive[id]) {
+        scene.revision++
         disturb(scene, id)
         bodies.held[id]++
         holds.push(hold)
@@ -230,6 +234,7 @@ export function createWorld(options: WorldOptions) {
         release() {
           const n = holds.indexOf(hold)
           if (n < 0) return
+          scene.revision++
           holds.splice(n, 1)
           bodies.held[id]--
           throwVelocity(bodies, hold)
@@ -240,6 +245,27 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
+    /** Becomes the same as `other`, bit for bit, without what is held there: from then on equal steps keep both equal. */
+    follow(other: { scene: Simulation }): void {
+      copy(other.scene, scene)
+      bodies.held.fill(0)
+    },
+
+    /** Whether `other` still goes the way that this world went when it followed it: nothing but time and new bodies came since. */
+    follows(other: { scene: Simulation }): boolean {
+      return scene.revision === other.scene.revision
+    },
+
+    /** s, time handed in and not simulated yet. */
+    get left(): number {
+      return scene.left
+    },
+
+    /** Writes x, y (px), angle (rad), vx, vy (px/s) and spin (rad/s) of body `id` into `out`. */
+    readInto(id: number, out: Float64Array): void {
+      for (let n = 0; n < out.length; n++) out[n] = bodies.state[id * STATE + n]
+    },
+
     /** What the world is made of. */
     scene,
 
@@ -248,7 +274,7 @@ export function createWorld(options: WorldOptions) {
 
     /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
-      const share = within(left / STEP, 0, 1, 0)
+      const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = 1; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
@@ -296,6 +322,21 @@ export function createWorld(options: WorldOptions) {
     pairs.box[i * 4] = Infinity
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
       forgetContact(contacts, edge >> 1)
+  }
+}
+
+/** Makes every number and array inside `to` what it is inside `from`. Holds stay apart: they are shared with whoever grabbed. */
+function copy(from: object, to: object): void {
+  const target = to as Record<string, unknown>
+  for (const [name, value] of Object.entries(from)) {
+    if (name === 'holds') continue
+    const own = target[name]
+    if (typeof value !== 'object') target[name] = value
+    else if (Array.isArray(value)) target[name] = [...value]
+    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
+    else if ((own as Float64Array).length === (value as Float64Array).length)
+      (own as Float64Array).set(value as Float64Array)
+    else target[name] = (value as Float64Array).slice()
   }
 }
 

@@ -1,11 +1,13 @@
-import { STATE, X, Y } from './body'
-import { type Chip, draw, look, round, tellAngle } from './chip'
-import { type Obstacle, reach, releasePose, releaseTime, scatter } from './drop'
+import { type Chip, draw, halfHeight, look, round, tellAngle } from './chip'
+import { STEP } from './constants'
+import { reach, scatter } from './drop'
 import { LIMITS, sane, warn, written } from './input'
+import { createLookAhead, uprightTurn } from './look-ahead'
 import { createLoop } from './loop'
 import { createPointers, FIRST, hearing } from './pointers'
+import { addReleased, createReleaseQueue } from './release-queue'
 import { createWorld, type World } from './simulation'
-import { shownAtMost, type View, watched, watcherOf } from './view'
+import { observersOf, shownAtMost, type View, watched } from './view'
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
@@ -25,6 +27,8 @@ const SHAKE = 230
 /** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
 const KICK_GRAVITY = 100
 const KICK_TWIST = 0.007
+/** s that the first release waits at most for how its chips will lie to be known. */
+const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
 export interface StageOptions {
   gravity?: number | undefined
@@ -32,6 +36,7 @@ export interface StageOptions {
   friction?: number | undefined
   stagger?: number | undefined
   interactive: boolean
+  upright: boolean
   onSettle?: (() => void) | undefined
 }
 
@@ -48,16 +53,21 @@ export interface Stage {
   detach(): void
 }
 
+/** What is read of a body: x, y, angle, and their rates. */
+const motion: Float64Array = new Float64Array(6)
+
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
   // Observers are of the stage's own window: in one that the page has opened no other sees it.
   const view = page.defaultView as View
-  const watcher = watcherOf(view)
+  const observers = observersOf(view)
   const still = view.matchMedia(STILL)
   const chips = new Map<Element, Chip>()
-  /** Chips whose release is to come, the next one first. */
-  let queue: Chip[] = []
+  const queue = createReleaseQueue()
+  const lookAhead = createLookAhead<Chip>((chip) => {
+    if (Number.isNaN(chip.radius)) look(chip, changes)
+  })
   let bodies: Chip[] = []
   let options: StageOptions & { [name in keyof typeof LIMITS]: number }
   let world: World | undefined
@@ -66,19 +76,20 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let state = 'static'
   /** Running or resting: people may touch it. */
   let live = false
+  /** Whether it is worth to know how chips will lie: before and during a drop. */
+  let planning = false
   let started = false
   let inView = false
+  /** Whether the stage was ever in view. */
+  let seenOnce = false
   /** Whether sizes are watched: not where chips stand in their row. */
   let moving = false
-  /** s simulated since the stage began, and ms of the frame before, while frames run. */
-  let clock = 0
+  /** ms of the frame before, while frames run. */
   let last: number | undefined
   /** ms, when the clock was last right, while nothing moves and no frame counts the time. */
   let idleSince: number | undefined
-  let turns = 0
-  let slot = 0
-  /** s, when the last chip was released. */
-  let released = -Infinity
+  /** The next slice of the look-ahead. */
+  let planned: ReturnType<typeof setTimeout> | undefined
   let timer: ReturnType<typeof setTimeout> | undefined
   let unseen: ReturnType<typeof setTimeout> | undefined
   /** The chip that got the focus before it lay. */
@@ -96,12 +107,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       return chip && chip.id >= 0 && live ? chip : undefined
     },
     take(chip, offX, offY) {
-      const poses = world!.scene.bodies.state
-      const x = poses[chip.id * STATE + X]
-      const y = poses[chip.id * STATE + Y]
+      world!.readInto(chip.id, motion)
       fetched = false
       toFront(chip)
-      return world!.grab(chip.id, x + offX, y + offY)
+      return world!.grab(chip.id, motion[0]! + offX, motion[1]! + offY)
     },
     show(chip, state) {
       mark(chip, state)
@@ -148,8 +157,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   })
 
   function lookAgain() {
-    watcher.unobserve(root)
-    watcher.observe(root)
+    observers.view.unobserve(root)
+    observers.view.observe(root)
   }
 
   /** Chips come, go and change their look without a word from React. */
@@ -166,7 +175,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
       if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, { element, state: 'waiting', width: 0, id: -1, angle: 0, pinch: '' } as Chip)
+      chips.set(element, {
+        element,
+        state: 'waiting',
+        width: 0,
+        radius: Number.NaN,
+        id: -1,
+        angle: 0,
+        pinch: '',
+      } as Chip)
       if (moving) sizes.observe(element)
       // It has come with the focus.
       if (element.matches(':focus-within')) focus({ target: element })
@@ -178,7 +195,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       waited = withdraw(chip) || waited
       chips.delete(element)
     })
-    if (waited) requeue()
+    if (waited) queue.reschedule()
   }
 
   function chipAt(target: EventTarget | null) {
@@ -201,22 +218,34 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
           'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
         )
       chip.width = 0
-      if (withdraw(chip)) requeue()
+      if (withdraw(chip)) queue.reschedule()
       return
     }
     const known = chip.width === chipWidth && chip.height === chipHeight
-    if (!chip.width) enqueue(chip)
+    if (!chip.width) queue.add(chip)
     chip.width = chipWidth
     chip.height = chipHeight
     chip.reach = reach(chipWidth, chipHeight)
     // What still waits is looked at when its turn comes: at first that would be all of them in one frame.
-    if (chip.id < 0) return
+    if (chip.id < 0) {
+      chip.radius = Number.NaN
+      queue.revision++
+      return
+    }
     const { radius } = chip
     look(chip, changes)
     if (known && chip.radius === radius) return
+    takeTurn(chip)
     world!.reshape(chip.id, chip)
     draw(chip)
     round(chip)
+  }
+
+  /** Turns the body of a chip to where it is drawn: in another shape it would no longer look the same turned. */
+  function takeTurn(chip: Chip) {
+    world!.readInto(chip.id, motion)
+    if (chip.turn) world!.place(chip.id, { angle: motion[2]! + chip.turn })
+    chip.turn = 0
   }
 
   // Releases
@@ -224,99 +253,77 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   function begin() {
     world = createWorld({ width, height, ...options })
     bodies = []
-    queue = []
-    clock = turns = slot = 0
-    released = -Infinity
+    queue.restart(options.upright ? -HEAD_START : 0)
     idleSince = undefined
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
       const chip = chips.get(element)
       if (!chip) continue
-      chip.id = -1
-      mark(chip, 'waiting')
-      if (chip.width) enqueue(chip)
+      reset(chip)
+      if (chip.width) queue.add(chip)
     }
-  }
-
-  function enqueue(chip: Chip) {
-    chip.turn = turns++
-    schedule(chip)
-  }
-
-  function schedule(chip: Chip) {
-    // Nobody can use what still waits out of sight.
-    chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.turn, slot), clock)
-    slot = Math.max(slot, clock) + options.stagger / 1000
-    let place = queue.length
-    while (place > 0 && queue[place - 1]!.due > chip.due) place--
-    queue.splice(place, 0, chip)
-  }
-
-  /** Times the releases to come anew. */
-  function requeue() {
-    const waiting = queue
-    queue = []
-    // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
-    slot = Math.max(0, released + options.stagger / 1000)
-    waiting.forEach(schedule)
   }
 
   /** Whether it waited for its release, so that those behind it are to move up. */
   function withdraw(chip: Chip) {
-    const waited = queue.includes(chip)
-    queue = queue.filter((other) => other !== chip)
+    const waited = queue.remove(chip)
     pointers.letGo(chip)
     world?.remove(chip.id)
     delete bodies[chip.id]
-    chip.id = -1
-    mark(chip, 'waiting')
+    reset(chip)
     return waited
   }
 
+  function reset(chip: Chip) {
+    chip.id = -1
+    chip.turn = 0
+    chip.turned = false
+    mark(chip, 'waiting')
+  }
+
   function release(chip: Chip) {
-    const obstacles: Obstacle[] = []
-    const poses = world!.scene.bodies.state
-    // From the world's own array: to read every chip at every release would leave an object each on the heap.
-    bodies.forEach((other) => {
-      const x = poses[other.id * STATE + X]
-      const y = poses[other.id * STATE + Y]
-      if (y < other.reach) obstacles.push({ x, y, reach: other.reach })
-    })
+    const { radius } = chip
     look(chip, changes)
-    const pose = releasePose(chip.turn, chip.width, chip.height, width, options.gravity, obstacles)
-    released = clock
-    chip.id = world!.add({ ...chip, ...pose })
-    chip.x = NaN
-    bodies[chip.id] = chip
+    // It has changed since it was looked at ahead of its turn.
+    if (radius !== chip.radius) queue.revision++
+    queue.latest = queue.clock
+    chip.id = addReleased({ world: world!, chips: bodies }, chip, width, options.gravity)
+    chip.x = Number.NaN
   }
 
   // The loop
 
   function advance(end: number) {
-    while (queue[0] && queue[0].due <= end) {
-      const chip = queue.shift()!
-      world!.step(chip.due - clock)
-      clock = chip.due
+    while (queue.chips[0] && queue.chips[0].due <= end) {
+      const chip = queue.chips.shift()!
+      world!.step(chip.due - queue.clock)
+      queue.clock = chip.due
       release(chip)
     }
-    world!.step(end - clock)
-    clock = end
+    world!.step(end - queue.clock)
+    queue.clock = end
   }
 
-  /** Counts the time in which nothing moved: the world has no part in it, as what moves by now has only just begun. */
+  /**
+   * Counts the time in which nothing moved. The world has no part in it, as what moves by now has only just begun: so it is whole steps,
+   * and every release falls where it does in its step.
+   */
   function catchUp() {
     if (idleSince === undefined) return
     const now = performance.now()
-    clock = Math.min(clock + (now - idleSince) / 1000, queue[0]?.due ?? Infinity)
-    idleSince = now
+    const passed = Math.min((now - idleSince) / 1000, (queue.chips[0]?.due ?? Infinity) - queue.clock)
+    const steps = STEP * Math.max(0, Math.floor(passed / STEP))
+    queue.clock += steps
+    idleSince = Math.max(idleSince + 1000 * steps, now - 1000 * STEP)
   }
 
   function tick() {
     // The time of the frame itself: smoother than the moment its callbacks run.
     const time = Number(page.timeline.currentTime)
-    advance(clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
+    advance(queue.clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
     last = time
     world!.eachMoved(paint)
+    plan()
     if (!world!.resting) return
     if (!options.gravity && !fetched) {
       fetched = true
@@ -324,7 +331,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       bodies.forEach((chip) => {
         if (chip.y < -chip.reach) {
           withdraw(chip)
-          enqueue(chip)
+          queue.add(chip)
         }
       })
     }
@@ -336,21 +343,33 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const { pose } = world!
     const x = pose[0]
     const y = pose[1]
-    const angle = pose[2]
+    if (!chip.turned) turnUnseen(chip, y, pose[2])
+    const angle = pose[2] + chip.turn
     const dx = x - chip.x
     const dy = y - chip.y
-    const turned = (angle - chip.angle) * chip.reach
+    const swung = (angle - chip.angle) * chip.reach
     // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
     if (Number.isNaN(chip.x)) round(chip)
     // One corner at least has gone this far. A chip never drawn compares as not a number. A chip that has fallen asleep
     // is drawn where it lies: its last movement may have been too small to be drawn.
-    if (asleep || !(dx * dx + dy * dy + turned * turned < VISIBLE)) {
+    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
       chip.x = x
       chip.y = y
       chip.angle = angle
       draw(chip)
     }
     if (chip.state !== 'held') mark(chip, asleep ? 'resting' : 'falling')
+  }
+
+  /** Turns a chip to what lies upright in the end: in the last frame in which it is sure to be above the stage, where nobody sees it turn. */
+  function turnUnseen(chip: Chip, y: number, angle: number) {
+    world!.readInto(chip.id, motion)
+    const fall = LONGEST_FRAME * (motion[4]! + (LONGEST_FRAME / 2) * options.gravity)
+    if (y + chip.reach + fall < 0) return
+    chip.turned = true
+    // Before it is first drawn it is out of sight as well.
+    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
   }
 
   function mark(chip: Chip, next: Chip['state']) {
@@ -391,7 +410,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         ? 'waiting'
         : pausing.current
           ? 'paused'
-          : idle && !queue.length
+          : idle && !queue.chips.length
             ? 'resting'
             : inView && !page.hidden && width * height
               ? 'running'
@@ -403,11 +422,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       loop.stop()
       last = undefined
       // Nothing moves before the next release: a timer is enough until then.
-      if (running) timer = setTimeout(arrive, (queue[0]!.due - clock) * 1000)
+      if (running) timer = setTimeout(arrive, (queue.chips[0]!.due - queue.clock) * 1000)
     }
     live = running || next === 'resting'
     idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
     if (!live) pointers.letGo()
+    planning = !!options.upright && !!world && (running || next === 'waiting')
+    plan()
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
     // Not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower.
@@ -428,15 +449,37 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (settled && options.onSettle) queueMicrotask(options.onSettle)
   }
 
+  // The look-ahead
+
+  /** Has the look-ahead go on outside of the frame, while there are chips that can still be turned. */
+  function plan() {
+    if (!planning || !(queue.chips.length || bodies.some(({ turned }) => !turned))) lookAhead.end()
+    else planned ??= setTimeout(lookOn)
+  }
+
+  function lookOn() {
+    planned = undefined
+    if (!planning) return
+    if (!lookAhead.advance({ world: world!, chips: bodies }, queue, width, options.gravity)) {
+      // Where no frame brings the next slice.
+      if (world!.resting) plan()
+    } else if (queue.clock < 0 && queue.latest < 0) {
+      // All is known that the first release has waited for.
+      queue.clock = 0
+      if (idleSince !== undefined) idleSince = performance.now()
+      sync()
+    }
+  }
+
   function arrive() {
     idleSince = undefined
-    advance(queue[0]!.due)
+    advance(queue.chips[0]!.due)
     sync()
   }
 
   // Coming into view, and the focus
 
-  /** The stage comes into view for the first time. Until then it has done nothing. */
+  /** The stage comes within a screen of the view for the first time. Until then it has done nothing. */
   function arm() {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -447,10 +490,17 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     collect()
   }
 
-  function seen(entry: IntersectionObserverEntry) {
+  function seen(entry: IntersectionObserverEntry, near: boolean) {
+    if (near) {
+      if (!entry.isIntersecting) return
+      observers.near.unobserve(root)
+      observers.view.observe(root)
+      arm()
+      return sync()
+    }
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
     inView = isIntersecting
-    if (inView && !listening) arm()
+    seenOnce ||= inView
     const unsized = inView && !(whole.width * whole.height)
     if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
       warn(
@@ -498,7 +548,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     if (chip.id < 0) {
       started = true
       catchUp()
-      requeue()
+      queue.reschedule()
     }
     if (unseen) bringIn(chip)
     sync()
@@ -534,10 +584,11 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     update(next) {
       const before = options
       options = { ...next } as typeof options
-      if (process.env.NODE_ENV !== 'production' && typeof next.interactive !== 'boolean')
-        warn(
-          `interactive is ${written(next.interactive)}, which is neither true nor false, so it counts as ${!!next.interactive}. Pass true or false.`,
-        )
+      for (const name of ['interactive', 'upright'] as const)
+        if (process.env.NODE_ENV !== 'production' && typeof next[name] !== 'boolean')
+          warn(
+            `${name} is ${written(next[name])}, which is neither true nor false, so it counts as ${!!next[name]}. Pass true or false.`,
+          )
       if (typeof next.onSettle !== 'function') {
         // `ready && save` is how people leave it out.
         if (process.env.NODE_ENV !== 'production' && next.onSettle)
@@ -551,15 +602,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
         options[name] = sane(name, next[name])
         if (options[name] !== before?.[name] && name !== 'stagger') changed = true
       }
+      queue.stagger = options.stagger
       if (listening && !options.interactive !== !before.interactive) listen()
       const paced = options.stagger !== before?.stagger
       if (!world || !(changed || paced)) return
       if (changed) world.configure(options)
-      if (paced) requeue()
+      if (paced) queue.reschedule()
       sync()
     },
     drop() {
-      if (!world || still.matches) return
+      if (!world || !seenOnce || still.matches) return
       pointers.letGo()
       started = true
       pausing.current = false
@@ -576,17 +628,22 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     sync,
     attach() {
       watched.set(root, seen)
-      watcher.observe(root)
+      observers.near.observe(root)
     },
     detach() {
       inView = false
       sync()
       pointers.letGo()
-      watcher.unobserve(root)
+      observers.near.unobserve(root)
+      observers.view.unobserve(root)
       watched.delete(root)
       listening?.abort()
       listening = undefined
       clearTimeout(unseen)
+      clearTimeout(planned)
+      planned = undefined
+      planning = false
+      lookAhead.end()
       sizes.disconnect()
       moving = false
       changes.disconnect()

@@ -108,11 +108,18 @@ export class Simulation extends Scene {
   /** px/s, speed of the fastest point of the present island when its step began, and whether very unequal masses fly about in it. */
   speed = 0.5
   crushing = false
+  /** s, time handed in and not simulated yet. */
+  left = 0.5
+  /** Ids of removed bodies, which the next bodies get. */
+  freeSlots: number[] = []
+  /** How often the world was changed from outside, other than by a new body. */
+  revision = 0
 
   constructor(substeps: number, damping: number, spinDamping: number) {
     super()
     const h = STEP / substeps
     this.substeps = substeps
+    this.left = 0
     this.h = h
     // What nothing brakes in the air slides as Coulomb says: so it is measured.
     this.stiction = damping > 0 ? STICTION : 0

@@ -1,22 +1,27 @@
 export type View = typeof globalThis & Window
 
-const watchers = new WeakMap<View, IntersectionObserver>()
-export const watched = new WeakMap<Element, (entry: IntersectionObserverEntry) => void>()
+type Observers = { view: IntersectionObserver; near: IntersectionObserver }
 
-/** Tells what is in view of those that are in `watched`; all stages of a window share it. */
-export function watcherOf(view: View) {
-  let watcher = watchers.get(view)
-  if (!watcher) {
-    watcher = new view.IntersectionObserver(
-      (entries) => {
-        for (const entry of entries) watched.get(entry.target)?.(entry)
-      },
+const observers = new WeakMap<View, Observers>()
+/** What is called with each entry of a stage, whether it is near the view or in it. */
+export const watched = new WeakMap<Element, (entry: IntersectionObserverEntry, near: boolean) => void>()
+
+/** Tell what of those that are in `watched` is in view, and what is within a screen of it; all stages of a window share them. */
+export function observersOf(view: View): Observers {
+  let both = observers.get(view)
+  if (!both) {
+    const observer = (near: boolean, options: object) =>
+      new view.IntersectionObserver((entries) => {
+        for (const entry of entries) watched.get(entry.target)?.(entry, near)
+      }, options)
+    both = {
       // Of a very tall stage even a hundredth may be all that fits.
-      { threshold: Array.from({ length: 101 }, (_, i) => i / 100) },
-    )
-    watchers.set(view, watcher)
+      view: observer(false, { threshold: Array.from({ length: 101 }, (_, i) => i / 100) }),
+      near: observer(true, { rootMargin: '100%' }),
+    }
+    observers.set(view, both)
   }
-  return watcher
+  return both
 }
 
 /** The element around another, outside of a shadow tree too. */
