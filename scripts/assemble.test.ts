@@ -33,11 +33,13 @@ describe('the one file', () => {
     const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
     expect(rooms[0]).toBe('constants')
     expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
-    expect(rooms.slice(-8)).toEqual([
+    expect(rooms.slice(-10)).toEqual([
       'simulation',
       'drop',
-      'input',
       'chip',
+      'release-queue',
+      'look-ahead',
+      'input',
       'pointers',
       'view',
       'stage',
