@@ -33,13 +33,14 @@ describe('the one file', () => {
     const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
     expect(rooms[0]).toBe('constants')
     expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
-    expect(rooms.slice(-10)).toEqual([
+    expect(rooms.slice(-11)).toEqual([
       'simulation',
       'drop',
       'chip',
       'release-queue',
       'look-ahead',
       'input',
+      'loop',
       'pointers',
       'view',
       'stage',
