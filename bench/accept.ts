@@ -16,7 +16,7 @@ import { holds, type Row } from './accept/row'
 import { sizeRows } from './accept/size'
 import { here, solverAt, worldScript } from './accept/solver'
 import { markdown, printTable, printTimings, type Titled } from './accept/table'
-import { ratioBound, type Timing, timings } from './accept/time'
+import { isDearer, type Timing, timings } from './accept/time'
 import { bundle, root } from './run-job'
 
 const { values: options } = parseArgs({
@@ -85,9 +85,11 @@ if (wantsTime) {
 
 const judged = rows.filter(({ bound }) => bound !== undefined)
 const missed = judged.filter((row) => !holds(row))
-const dear = timed.filter(({ ratio }) => ratio > ratioBound)
-console.log(`\n${judged.length - missed.length} of ${judged.length} bounds hold`)
+const dear = timed.filter(isDearer)
+const bounds = judged.length + timed.length
+console.log(`\n${bounds - missed.length - dear.length} of ${bounds} bounds hold`)
 for (const { what, figure } of missed) console.log(`  not: ${what}, ${figure}`)
+for (const { count, phase } of dear) console.log(`  not: time of ${count} pills, ${phase}`)
 
 if (!wanted && seeds === undefined) {
   const write = (name: string, text: string) => writeFileSync(join(results, name), text)

@@ -24,7 +24,7 @@ const hardSubject = (scene: HardScene, seeds: number, bounds: Bounds): Subject &
   title: scene.title,
   seeds,
   bounds,
-  weight: 100,
+  weight: 120,
   play: (seed) => ({ ...playHard({ ...scene, bounds }, seed).figures }),
 })
 
@@ -46,7 +46,7 @@ const jammed = [
   hardSubject(hardNamed('collapsed-and-back'), 40, afterwards),
   ...moves.map((scene) => hardSubject(scene, scene.seeds, { ...afterwards, 'overlap during': 1 })),
   hardSubject(hardNamed('pressed-by-a-wall'), 40, { ...afterwards, 'overlap during': 1 }),
-  hardSubject(hardNamed('resized-every-frame'), 20, afterwards),
+  hardSubject(hardNamed('resized-every-frame'), 20, { ...afterwards, 'overlap during': shown }),
 ]
 
 export const stages: Group = {
@@ -220,8 +220,8 @@ const elastic = hardNamed('elastic-crowd')
 const crowd: Subject = {
   name: elastic.name,
   title: elastic.title,
-  seeds: 6,
-  weight: 2000,
+  seeds: 20,
+  weight: 500,
   play(seed) {
     const scene = { ...elastic, bounds: { lost: 0, gain: 0.001, loss: 1 } }
     const usual = playHard(scene, seed).figures

@@ -9,8 +9,8 @@ import type { Run, Subject } from './row'
 
 type Part = { subject: Subject; seeds: number[] }
 
-/** Parts of about equal length, so that both processes end together. */
-const mostWeight = 300
+/** ms that a part takes at most, but for a single run that takes longer: both processes are to end together. */
+const mostWeight = 1000
 
 function partsOf(subjects: Subject[], isKnown: (name: string, seed: number) => boolean): Part[] {
   return subjects

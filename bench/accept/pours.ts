@@ -83,7 +83,7 @@ export const restBound = 0.05
 /** s until all sleep, in so large a share of the pours of up to so many chips, and at worst. */
 const sleep = { seconds: 4, share: 0.995, latest: 8, upTo: 300 }
 
-const seedsOf: Record<number, number> = { 12: 100, 60: 100, 250: 12, 300: 20, 1000: 4 }
+const seedsOf: Record<number, number> = { 12: 100, 60: 100, 250: 12, 300: 40, 1000: 4 }
 const sizes = Object.keys(seedsOf).map(Number)
 
 const subject = (
@@ -96,7 +96,7 @@ const subject = (
   name,
   title,
   seeds,
-  weight: count,
+  weight: count ** 1.15,
   play: playOne,
 })
 

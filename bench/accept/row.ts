@@ -24,7 +24,7 @@ export type Subject = {
   title: string
   /** seeds of a full run; 1 where nothing is left to chance */
   seeds: number
-  /** how long one run takes beside others: the longest are begun first */
+  /** ms that one run takes, more or less: the longest are begun first */
   weight: number
   play(seed: number): Run | Promise<Run>
 }

@@ -1,7 +1,7 @@
 // The table, as text for a terminal and as a page of Markdown beside the figures.
 import type { Group, Row } from './row'
 import { holds } from './row'
-import { ratioBound, type Timing } from './time'
+import { isDearer, type Timing } from './time'
 
 export type Titled = Pick<Group, 'name' | 'title'>
 
@@ -53,10 +53,12 @@ export function printTable(groups: Titled[], rows: Row[], before: Row[]) {
 
 export function printTimings(timings: Timing[]) {
   console.log('\ntime: µs a frame, all awake, in turns with the solver before')
-  for (const { count, phase, now, before, ratio } of timings) {
-    const held = ratio <= ratioBound ? '✓' : '✗'
+  for (const timing of timings) {
+    const { count, phase, now, before, ratio } = timing
+    const held = isDearer(timing) ? '✗' : '✓'
+    const spread = `${ratio.low.toFixed(2)} to ${ratio.high.toFixed(2)}`
     console.log(
-      `${`${count} pills`.padEnd(12)}${phase.padEnd(20)}${now.toFixed(1).padStart(9)}${before.toFixed(1).padStart(9)}   ratio ${ratio.toFixed(2)}  ≤ ${ratioBound} ${held}`,
+      `${`${count} pills`.padEnd(12)}${phase.padEnd(20)}${now.toFixed(1).padStart(9)}${before.toFixed(1).padStart(9)}   ratio ${ratio.median.toFixed(2)} (${spread})  ≤ 1 ${held}`,
     )
   }
 }

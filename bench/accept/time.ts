@@ -4,11 +4,17 @@ import { promisify } from 'node:util'
 import { bundle } from '../run-job'
 import { type Solver, worldScript } from './solver'
 
-/** Median µs a frame of both, and the median of their ratios round by round. */
-export type Timing = { count: number; phase: string; now: number; before: number; ratio: number }
+/** Median µs of processor a frame of both, and their ratio: median and quartiles of all rounds. */
+export type Timing = {
+  count: number
+  phase: string
+  now: number
+  before: number
+  ratio: { low: number; median: number; high: number }
+}
 
-/** How much dearer a frame may be than before. */
-export const ratioBound = 1
+/** A solver counts as dearer where three rounds of four say so: the same one beside itself comes out a little above or below 1. */
+export const isDearer = ({ ratio }: Timing) => ratio.low > 1
 
 export async function timings(now: Solver, before: Solver): Promise<Timing[]> {
   const files = [await worldScript(now, 'esm'), await worldScript(before, 'esm')]
