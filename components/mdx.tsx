@@ -13,6 +13,7 @@ import { ElevationSource } from './elevation-source'
 import { Heading } from './heading'
 import { Install, InstallWay } from './install'
 import { LiveFigure } from './lab'
+import { Prompt } from './prompt'
 import { ActionsTable, PropsTable } from './props-table'
 import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
@@ -94,6 +95,7 @@ const components: Record<string, unknown> = {
   Install,
   InstallWay,
   LiveFigure,
+  Prompt,
   PropsTable,
   ScenesTable,
 }

@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { gzipSync } from 'node:zlib'
+import AxeBuilder from '@axe-core/playwright'
 import { expect, type Page, type Response } from '@playwright/test'
 import { addressed } from '../site.config.mjs'
 import { docs, painted, test, withhold } from './page'
@@ -147,6 +148,63 @@ test.describe('with a clipboard', () => {
     await expect(page.getByRole('button', { name: 'Copied' })).toHaveText('Copied')
     expect(await clipboard(page)).toMatch(/^# Setup\n/)
   })
+})
+
+test('the menu beside Copy page opens and closes by the keyboard, with or without script', async ({
+  page,
+  browser,
+  baseURL,
+}) => {
+  const still = await browser.newContext({ baseURL, javaScriptEnabled: false })
+  const plain = await still.newPage()
+  await plain.goto('/docs/setup')
+  await expect(plain.getByRole('link', { name: 'Open as Markdown' })).toBeVisible()
+  await still.close()
+
+  await page.setViewportSize({ width: 375, height: 700 })
+  await page.goto('/docs/setup')
+  const menu = page.getByRole('button', { name: 'More ways to take this page' })
+  const first = page.getByRole('link', { name: 'Open as Markdown' })
+  await menu.focus()
+  await page.keyboard.press('Enter')
+  await expect(first).toBeVisible()
+  const { x, y, height } = (await first.boundingBox())!
+  const button = (await menu.boundingBox())!
+  expect(x).toBeGreaterThanOrEqual(0)
+  expect(y).toBeGreaterThanOrEqual(button.y + button.height)
+  expect(y + height).toBeLessThan(button.y + 120)
+  await page.keyboard.press('Tab')
+  await expect(first).toBeFocused()
+  for (const name of ['Open in ChatGPT', 'Open in Claude']) {
+    await page.keyboard.press('Tab')
+    await expect(page.getByRole('link', { name })).toBeFocused()
+  }
+  const axe = new AxeBuilder({ page }).setLegacyMode().options({ resultTypes: ['violations'] })
+  expect((await axe.analyze()).violations).toEqual([])
+  await page.keyboard.press('Escape')
+  await expect(first).toBeHidden()
+  await expect(menu).toBeFocused()
+})
+
+test('a prompt for an assistant names the address, every prop, every action and the code of Usage', async ({
+  page,
+}) => {
+  await page.goto('/docs/gravity-stack')
+  const names = (group: string) =>
+    page
+      .getByRole('group', { name: group })
+      .getByRole('rowheader')
+      .evaluateAll((all) => all.map((cell) => cell.firstChild!.textContent!))
+  await page.getByRole('tab', { name: 'Prompt' }).click()
+  const prompt = (await page.locator('#install-prompt pre').textContent())!
+  expect(prompt).toMatch(/npx shadcn@latest add http\S+\/r\/gravity-stack\.json/)
+  expect(prompt).toContain('export function Topics()')
+  for (const name of await names('Props')) expect(prompt).toContain(`- ${name} (`)
+  for (const name of await names('Actions')) expect(prompt).toContain(`- ${name}`)
+  // The choice is remembered, where another item has a prompt of its own.
+  await page.goto('/docs/elevation')
+  await expect(page.locator('#install-prompt pre')).toContainText('/r/elevation.json')
+  await expect(page.getByRole('button', { name: 'Copy prompt' })).toBeVisible()
 })
 
 test('what could not be copied is not said to be, and the button comes back', async ({ page }) => {

@@ -1,5 +1,6 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { expect, type Page } from '@playwright/test'
+import { registryItemSchema } from 'shadcn/schema'
 import { addressed } from '../site.config.mjs'
 import { docs, pages, test } from './page'
 
@@ -17,7 +18,8 @@ for (const path of pages.filter((path) => path !== '/404')) {
     for (const [, to] of markdown.matchAll(/\]\(http:\/\/localhost:\d+([^)#]*)/g)) {
       expect((await request.get(to)).ok(), to).toBe(true)
     }
-    await expect(page.getByRole('link', { name: 'Markdown' })).toHaveAttribute('href', twin)
+    const link = page.getByRole('link', { name: 'Open as Markdown', includeHidden: true })
+    await expect(link).toHaveAttribute('href', twin)
   })
 }
 
@@ -93,6 +95,9 @@ const elsewhere = [
   'https://developer.mozilla.org/docs/Web/CSS/Reference/Properties/scroll-margin',
 ]
 
+/** Where a page or an item can be taken to; what they are handed is tested below. */
+const takers = /^https:\/\/(chatgpt\.com|claude\.ai|v0\.app)\//
+
 test('links to other sites are those that somebody has looked at', async ({ request, baseURL }) => {
   const found = new Set<string>()
   for (const path of pages) {
@@ -102,7 +107,46 @@ test('links to other sites are those that somebody has looked at', async ({ requ
     }
   }
   const edits = process.env.REPOSITORY_URL || 'no repository is named'
-  expect([...found].filter((href) => !href.startsWith(edits)).sort()).toEqual(elsewhere)
+  const others = [...found].filter((href) => !href.startsWith(edits) && !takers.test(href))
+  expect(others.sort()).toEqual(elsewhere)
+})
+
+test('who is handed a page or an item elsewhere is given an address that the site serves', async ({
+  request,
+  baseURL,
+}) => {
+  const given = new Set<string>()
+  for (const path of pages) {
+    const text = await (await request.get(path)).text()
+    for (const [, href] of text.matchAll(/<a\s[^>]*?href="(\w+:[^"]*)"/g)) {
+      if (!takers.test(href)) continue
+      const query = new URL(href.replaceAll('&amp;', '&')).searchParams
+      const [address] = `${query.get('q') ?? query.get('url')}`.match(/http[^\s,]+/)!
+      given.add(address.replace(baseURL!, ''))
+    }
+  }
+  for (const path of pages.filter((path) => path !== '/404'))
+    expect(given).toContain(path === '/' ? '/index.md' : `${path}.md`)
+  expect(given).toContain('/v0/gravity-stack.json')
+  for (const path of given) expect((await request.get(path)).ok(), path).toBe(true)
+})
+
+test('what v0 is given holds to the schema of a registry, with the component and a page that shows it', async ({
+  request,
+}) => {
+  const answer = await request.get('/v0/gravity-stack.json')
+  expect(answer.headers()['access-control-allow-origin']).toBe('*')
+  const item = registryItemSchema.parse(await answer.json())
+  // v0 follows no names to other items, and reads no stylesheet of one.
+  expect(item).not.toHaveProperty('registryDependencies')
+  const files: Record<string, string> = {}
+  for (const { target, content } of item.files!) files[target!] = content!
+  const registry = await (await request.get('/r/gravity-stack.json')).json()
+  expect(files['components/ui/gravity-stack.tsx'] === registry.files[0].content).toBe(true)
+  for (const content of Object.values(files)) {
+    for (const [, from] of content.matchAll(/from '@\/([^']+)'/g)) expect(files[`${from}.tsx`]).toBeDefined()
+  }
+  expect(files['app/page.tsx']).toContain('<GravityStackDemo />')
 })
 
 test('each page names its own address and its Markdown', async ({ page, baseURL }) => {
@@ -185,8 +229,9 @@ test('a page that somebody points at is fetched before the press, a file is not'
     if (request.headers()['sec-purpose'] === 'prefetch') early.push(new URL(request.url()).pathname)
   })
   // A press tells at once, and is none when it ends elsewhere.
+  await page.getByRole('button', { name: 'More ways' }).click()
   for (const link of [
-    page.getByRole('link', { name: 'Markdown' }),
+    page.getByRole('link', { name: 'Open as Markdown' }),
     page.getByRole('navigation', { name: 'Docs' }).getByRole('link', { name: 'Recipes' }),
   ]) {
     await link.hover()

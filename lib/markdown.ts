@@ -12,6 +12,7 @@ import { figure } from './figure'
 import { heroCode } from './hero-code'
 import { facts, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
+import { promptOf } from './prompt'
 import { readActions, readProps } from './props'
 import { changelog, elevationSource, exampleSource } from './source'
 
@@ -54,7 +55,9 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   ElevationSource: () => fence('css', elevationSource()),
   Install: () => '',
   LiveFigure: () => '_On the page itself a figure runs here._',
-  InstallWay: ({ of }) => (of === 'cli' ? 'With the CLI:' : 'By hand:'),
+  InstallWay: ({ of }) =>
+    of === 'cli' ? 'With the CLI:' : of === 'manual' ? 'By hand:' : 'By a coding assistant:',
+  Prompt: ({ name }) => fence('md', promptOf(name)),
   FuzzTable: () =>
     table(
       fuzzHead,

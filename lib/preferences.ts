@@ -1,10 +1,10 @@
 /**
- * Choices that outlive a visit: the theme, the package manager, CLI or Manual. They stand on <html> as attributes, so
+ * Choices that outlive a visit: the theme, the package manager, the way to install. They stand on <html> as attributes, so
  * that CSS can show the right thing before React has loaded, and in localStorage under the same names.
  */
 export const choices = {
   'package-manager': ['npm', 'pnpm', 'yarn', 'bun'],
-  install: ['cli', 'manual'],
+  install: ['cli', 'manual', 'prompt'],
 } as const
 
 export type Choice = keyof typeof choices
