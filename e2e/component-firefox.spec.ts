@@ -94,6 +94,15 @@ if (executablePath) {
     expect(await page.$eval(STAGE, scrolled)).toBe(0)
   })
 
+  test('in Firefox chips drop when a link to the text of one leads to the stage, in a window 360 px high', async ({
+    firefox: page,
+    baseURL,
+  }) => {
+    await page.setViewport({ width: 800, height: 360 })
+    await page.goto(`${baseURL}/pile?stagger=40&above=900&below=900#:~:text=springs`)
+    await reaches(page, 'resting')
+  })
+
   test('in Firefox a drag on a link does not follow it; the key after a drag that no click follows does', async ({
     firefox: page,
     baseURL,

@@ -74,10 +74,7 @@ test('a control is pressed from the keyboard while its chip lies in the pile', a
   await expect(page.locator('output')).toHaveText('click button, click link')
 })
 
-test('focus that lands on a chip still waiting out of sight brings it in at once', async ({
-  stage,
-  page,
-}) => {
+test('focus that lands on a chip still waiting brings it in at once', async ({ stage, page }) => {
   await page.setViewportSize({ width: 800, height: 600 })
   await stage.open('controls', { above: 500, stagger: 60000 })
   await stage.reaches('waiting')
@@ -196,16 +193,17 @@ for (const [pressed, selector, interactive] of [
     await page.clock.pauseAt(1000)
     await stage.open('controls', { above: 400, stagger: 0, interactive })
     const control = page.locator(selector)
+    const chip = stage.chips.filter({ has: control })
     await expect
       .poll(
         async () => {
           await page.clock.runFor(20)
-          return (await stage.centre(control)).y
+          const falling = (await chip.getAttribute('data-state')) === 'falling'
+          return falling && (await stage.centre(control)).y > 440
         },
         { intervals: [0] },
       )
-      .toBeGreaterThan(440)
-    await expect(stage.chips.filter({ has: control })).toHaveAttribute('data-state', 'falling')
+      .toBe(true)
     const { x, y } = await stage.centre(control)
     await page.mouse.click(x, y)
     await expect(control).toBeFocused()

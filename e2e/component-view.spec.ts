@@ -133,6 +133,17 @@ test('in a hidden tab the stage pauses, and a held chip is let go', async ({ sta
   await page.mouse.up()
 })
 
+for (const height of [360, 390])
+  test(`chips drop when a link to the text of one leads to the stage, in a window ${height} px high`, async ({
+    stage,
+    page,
+  }) => {
+    await page.setViewportSize({ width: 800, height })
+    await stage.page.goto('/pile?stagger=40&above=900&below=900#:~:text=springs')
+    await stage.reaches('running')
+    await stage.reaches('resting')
+  })
+
 test('a stage eight windows high drops once it fills half of the window', async ({ stage, page }) => {
   await stage.open('places', { kind: 'tall', above: 600 })
   await stage.reaches('waiting')

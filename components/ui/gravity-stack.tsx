@@ -3795,7 +3795,7 @@ function createReleaseQueue() {
 
   function schedule(chip: Chip) {
     const { chips, clock, stagger } = queue
-    // Nobody can use what still waits out of sight.
+    // Nobody can use what still waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
     slot = Math.max(slot, clock) + stagger / 1000
     let place = chips.length
@@ -4511,7 +4511,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   })
 
   function collect() {
-    // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
+    // A chip that waits is clipped, which is out of view for Chromium: what loads lazily would wait for ever.
     for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
@@ -4722,7 +4722,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     }
     chip.element.setAttribute('data-state', next)
     if (next !== 'waiting') return
-    // It waits out of sight, where its class puts it, and comes back no nearer to the front than the rest, unless it has the focus.
+    // It waits unseen, at the top of the stage, and comes back no nearer to the front than the rest, unless it has the focus.
     chip.element.style.transform = ''
     if (!chip.element.matches(':focus-within')) chip.element.style.zIndex = ''
   }
@@ -5155,14 +5155,13 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
             'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
-            '[&:where([data-state=waiting]:not(:focus-within))]:[transform:translateY(calc(-100%-6rem))]',
-            // Below the rest: Chromium looks through all layers under a chip that once was painted and has none of its own.
-            '[@media_screen_and_(scripting)]:motion-safe:[&:where([data-state=waiting]:not(:focus-within))]:[z-index:-1]',
+            // Until its release it stands unseen in the stage, at its top, so that focus, find, a link to it or to its text leads
+            // there. Clipped to nothing, as what is transparent is still pressed, and slows Chromium down by its layers.
+            '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}

@@ -163,14 +163,13 @@ export const GravityStack: React.ForwardRefExoticComponent<
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
           className={cn(
             'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // With the focus in it, it stands where the browser scrolls to: above a stage just out of view it would count as visible.
-            '[&:where([data-state=waiting]:not(:focus-within))]:[transform:translateY(calc(-100%-6rem))]',
-            // Below the rest: Chromium looks through all layers under a chip that once was painted and has none of its own.
-            '[@media_screen_and_(scripting)]:motion-safe:[&:where([data-state=waiting]:not(:focus-within))]:[z-index:-1]',
+            // Until its release it stands unseen in the stage, at its top, so that focus, find, a link to it or to its text leads
+            // there. Clipped to nothing, as what is transparent is still pressed, and slows Chromium down by its layers.
+            '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}

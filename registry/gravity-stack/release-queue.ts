@@ -38,7 +38,7 @@ export function createReleaseQueue() {
 
   function schedule(chip: Chip) {
     const { chips, clock, stagger } = queue
-    // Nobody can use what still waits out of sight.
+    // Nobody can use what still waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
     slot = Math.max(slot, clock) + stagger / 1000
     let place = chips.length

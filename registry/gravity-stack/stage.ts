@@ -170,7 +170,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   })
 
   function collect() {
-    // Where a chip waits nothing is near the view, so what loads lazily would wait for ever.
+    // A chip that waits is clipped, which is out of view for Chromium: what loads lazily would wait for ever.
     for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
       late.setAttribute('loading', 'eager')
     for (const element of Array.from(root.children) as HTMLElement[]) {
@@ -381,7 +381,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     }
     chip.element.setAttribute('data-state', next)
     if (next !== 'waiting') return
-    // It waits out of sight, where its class puts it, and comes back no nearer to the front than the rest, unless it has the focus.
+    // It waits unseen, at the top of the stage, and comes back no nearer to the front than the rest, unless it has the focus.
     chip.element.style.transform = ''
     if (!chip.element.matches(':focus-within')) chip.element.style.zIndex = ''
   }
