@@ -1,6 +1,7 @@
 import { writeFile } from 'node:fs/promises'
 import { build as buildTables } from 'cn/build'
 import { PHASE_DEVELOPMENT_SERVER, PHASE_PRODUCTION_BUILD } from 'next/constants.js'
+import { basePath } from './site.config.mjs'
 
 /** What is lighter in the pages' script than what it stands for; without it the component page weighs 9 kB more. */
 async function lighter() {
@@ -67,6 +68,9 @@ export default async (phase) => ({
       }
     : // Where `distDir` is given, `next typegen` writes there too, so it is for the tests' own build alone.
       { output: 'export', distDir: process.env.SITE_OUT }),
+  basePath,
+  // For lib/address.ts, on the server and in browsers.
+  env: { BASE_PATH: basePath },
   reactStrictMode: true,
   serverExternalPackages: ['react-docgen', 'rolldown', 'shiki'],
   experimental: {

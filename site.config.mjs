@@ -6,6 +6,9 @@ export const committedUrl = 'http://localhost:4000'
 /** Where the site will stand, without a slash at the end. Give it at build time: `SITE_URL=https://… npm run build`. */
 export const siteUrl = (process.env.SITE_URL || committedUrl).replace(/\/+$/, '')
 
+/** The folder of its host that the site stands in, '' at the root: the path of its address. */
+export const basePath = new URL(siteUrl).pathname.replace(/\/$/, '')
+
 /** A text of this repository with the address of this build for the committed one. */
 export const addressed = (text) => text.replaceAll(committedUrl, siteUrl)
 

@@ -3,6 +3,7 @@ import type { Metadata, Viewport } from 'next'
 import type { ReactNode } from 'react'
 import { SiteFooter } from '@/components/site-footer'
 import { SiteHeader } from '@/components/site-header'
+import { at } from '@/lib/address'
 import { mono, sans } from '@/lib/fonts'
 import { grounds, preferencesScript } from '@/lib/preferences'
 import { siteUrl } from '@/site.config.mjs'
@@ -13,7 +14,19 @@ export const metadata: Metadata = {
   description:
     'A React component whose children drop in, tumble and settle into a pile that people can grab and toss. Its own rigid-body solver, in the one file you copy.',
   // The address of each page, whichever it is.
-  openGraph: { type: 'website', siteName: 'Gravity Stack', url: './' },
+  openGraph: {
+    type: 'website',
+    siteName: 'Gravity Stack',
+    url: './',
+    // As a file of the app folder it would get the folder of the site's address twice.
+    images: {
+      url: '/opengraph-image.png',
+      type: 'image/png',
+      width: 1200,
+      height: 630,
+      alt: 'Chips with words on them have fallen into a pile under the title Words with weight',
+    },
+  },
 }
 
 export const viewport: Viewport = {
@@ -25,7 +38,10 @@ export const viewport: Viewport = {
 
 const speculationRules = JSON.stringify({
   prefetch: [
-    { where: { and: [{ href_matches: '/*' }, { not: { href_matches: '/*.*' } }] }, eagerness: 'moderate' },
+    {
+      where: { and: [{ href_matches: at('/*') }, { not: { href_matches: '/*.*' } }] },
+      eagerness: 'moderate',
+    },
   ],
 })
 

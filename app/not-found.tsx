@@ -1,5 +1,6 @@
 import type { Metadata } from 'next'
 import { LiveFigure } from '@/components/lab'
+import { at } from '@/lib/address'
 
 export const metadata: Metadata = { title: 'Page not found' }
 
@@ -11,11 +12,11 @@ export default function NotFound() {
           <h1 className="font-semibold text-4xl tracking-[-0.03em] sm:text-5xl">Page not found</h1>
           <p className="mt-4 text-muted-foreground">
             Try{' '}
-            <a href="/docs/gravity-stack" className="underline underline-offset-4">
+            <a href={at('/docs/gravity-stack')} className="underline underline-offset-4">
               the docs
             </a>{' '}
             or go{' '}
-            <a href="/" className="underline underline-offset-4">
+            <a href={at('/')} className="underline underline-offset-4">
               home
             </a>
             .

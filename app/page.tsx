@@ -3,6 +3,7 @@ import { Command } from '@/components/command'
 import { Hero } from '@/components/hero'
 import { ArrowIcon } from '@/components/icons'
 import { PageTools } from '@/components/page-tools'
+import { at } from '@/lib/address'
 import { type Fact, facts, pitch, price, ways } from '@/lib/home'
 import { siteUrl } from '@/site.config.mjs'
 
@@ -35,7 +36,7 @@ export default async function Home() {
                 />
               </div>
               <a
-                href="/docs/gravity-stack"
+                href={at('/docs/gravity-stack')}
                 data-print="hide"
                 className="group inline-flex items-center gap-2 rounded-full bg-foreground px-5 py-2.5 font-medium text-background text-sm"
               >
@@ -71,7 +72,7 @@ function FactCell({ figure, title, text, more }: Fact) {
       <dd className="mt-2 text-pretty text-muted-foreground text-sm leading-relaxed">
         {text}{' '}
         {more && (
-          <a href={more.href} className="underline underline-offset-4">
+          <a href={at(more.href)} className="underline underline-offset-4">
             {more.title}
           </a>
         )}
@@ -84,7 +85,7 @@ function Way({ href, title, text }: { href: string; title: string; text: string 
   return (
     <li>
       <a
-        href={href}
+        href={at(href)}
         className="group block h-full rounded-2xl border bg-panel p-6 transition-colors hover:border-foreground/40"
       >
         <span className="flex items-center justify-between font-medium">

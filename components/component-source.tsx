@@ -1,3 +1,4 @@
+import { at } from '@/lib/address'
 import { componentFile, componentSource } from '@/lib/source'
 import { Code } from './code-block'
 import { CopyButton } from './copy-button'
@@ -20,7 +21,7 @@ export function ComponentSource() {
         plain={
           <a
             data-plain
-            href="/source/gravity-stack.tsx.txt"
+            href={at('/source/gravity-stack.tsx.txt')}
             className="text-muted-foreground hover:text-foreground"
           >
             Plain text

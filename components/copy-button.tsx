@@ -1,10 +1,11 @@
 'use client'
 
 import { useEffect, useState } from 'react'
+import { at } from '@/lib/address'
 import { CheckIcon, CopyIcon } from './icons'
 
 /**
- * Copies what stands at the address `from`, or else the code in the same `.code` box.
+ * Copies what stands at the address `from` of this site, or else the code in the same `.code` box.
  * The words beside the icon are there when `children` are. A `label` that says more than they do contains them.
  */
 export function CopyButton({
@@ -30,7 +31,7 @@ export function CopyButton({
     try {
       if (from) {
         // The promise goes into the clipboard item: Safari lets nothing be copied after an await.
-        const answer = fetch(from).then(async (response) => {
+        const answer = fetch(at(from)).then(async (response) => {
           if (!response.ok) throw new Error(`${from}: ${response.status}`)
           return new Blob([await response.text()], { type: 'text/plain' })
         })

@@ -1,3 +1,5 @@
+import { at } from '@/lib/address'
+
 type Navigation = { title: string; pages: { title: string; href: string }[] }[]
 
 /** The pages of the docs by section; the one at `path` is marked. */
@@ -11,7 +13,7 @@ export function DocsNavigation({ sections, path }: { sections: Navigation; path?
             {section.pages.map((page) => (
               <li key={page.href}>
                 <a
-                  href={page.href}
+                  href={at(page.href)}
                   aria-current={path === page.href ? 'page' : undefined}
                   className="block rounded-md px-3 py-1.5 -outline-offset-2 text-muted-foreground transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:font-medium aria-[current]:text-foreground"
                 >

@@ -2,6 +2,7 @@ import type { ComponentProps, ComponentType } from 'react'
 import * as React from 'react'
 import * as runtime from 'react/jsx-runtime'
 import * as ReactDOM from 'react-dom'
+import { at } from '@/lib/address'
 import { siteUrl } from '@/site.config.mjs'
 import { Changelog } from './changelog'
 import { Command } from './command'
@@ -19,6 +20,9 @@ import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
 const components: Record<string, unknown> = {
+  a: ({ href, ...props }: ComponentProps<'a'>) => (
+    <a href={href?.startsWith('/') ? at(href) : href} {...props} />
+  ),
   h2: (props: ComponentProps<'h2'>) => <Heading as="h2" {...props} />,
   h3: (props: ComponentProps<'h3'>) => <Heading as="h3" {...props} />,
   // rehype-pretty-code wraps each block in a figure.

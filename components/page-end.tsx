@@ -1,3 +1,4 @@
+import { at } from '@/lib/address'
 import { neighbours } from '@/lib/docs'
 
 /** The pages before and after this one, in the order of the navigation. */
@@ -28,7 +29,7 @@ function Neighbour({
 }) {
   return (
     <a
-      href={href}
+      href={at(href)}
       className={`group -mx-3 rounded-lg px-3 py-2 transition-colors hover:bg-muted ${className}`}
     >
       <span className="block text-muted-foreground text-sm">{word}</span>

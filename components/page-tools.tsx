@@ -1,3 +1,4 @@
+import { at } from '@/lib/address'
 import { assistants } from '@/lib/elsewhere'
 import { repositoryUrl } from '@/site.config.mjs'
 import { CopyButton } from './copy-button'
@@ -35,7 +36,7 @@ export function PageTools({ twin, source, className }: { twin: string; source: s
         className="w-52 rounded-xl border bg-panel p-1.5 text-muted-foreground text-sm shadow-lg [@media(scripting:none)]:static [@media(scripting:none)]:block supports-[position-area:bottom]:inset-auto supports-[position-area:bottom]:m-0 supports-[position-area:bottom]:mt-1 supports-[position-area:bottom]:[position-anchor:--page-menu] supports-[position-area:bottom]:[position-area:bottom_span-right] supports-[position-area:bottom]:[position-try-fallbacks:flip-inline,flip-block]"
       >
         <li>
-          <a href={twin} className={item}>
+          <a href={at(twin)} className={item}>
             Open as Markdown
           </a>
         </li>

@@ -3,6 +3,7 @@
 import { type KeyboardEvent, type MouseEvent, useEffect, useId, useRef, useState } from 'react'
 import { flushSync } from 'react-dom'
 import { createRoot, type Root } from 'react-dom/client'
+import { at } from '@/lib/address'
 import { type Entry, excerpt, marked, search } from '@/lib/search'
 import { SearchBar, SearchStatus, searchWords } from './search-shell'
 
@@ -115,7 +116,7 @@ function SearchPanel({ index, typed }: { index: string; typed: string }) {
         {listed.map((entry, place) => (
           <a
             key={entry.href + entry.title}
-            href={entry.href}
+            href={at(entry.href)}
             role="option"
             id={`${id}-${place}`}
             aria-selected={place === active}

@@ -1,3 +1,4 @@
+import { at } from '@/lib/address'
 import { SearchIcon } from './icons'
 import { SearchOpener } from './search-opener'
 import { SearchBar, SearchStatus, searchWords } from './search-shell'
@@ -5,7 +6,7 @@ import { SearchBar, SearchStatus, searchWords } from './search-shell'
 /** The search in the header: a button, and the dialog that it opens. */
 export function Search() {
   return (
-    <SearchOpener index="/search.json" failed={searchWords.failed}>
+    <SearchOpener index={at('/search.json')} failed={searchWords.failed}>
       <button
         type="button"
         aria-haspopup="dialog"

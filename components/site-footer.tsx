@@ -1,3 +1,5 @@
+import { at } from '@/lib/address'
+
 const links = [
   ['/docs/setup', 'Setup'],
   ['/docs', 'Docs'],
@@ -14,7 +16,7 @@ export function SiteFooter() {
         <ul className="flex flex-wrap gap-x-6 gap-y-2">
           {links.map(([href, title]) => (
             <li key={href}>
-              <a href={href} className="hover:text-foreground">
+              <a href={at(href)} className="hover:text-foreground">
                 {title}
               </a>
             </li>

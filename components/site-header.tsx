@@ -1,3 +1,4 @@
+import { at } from '@/lib/address'
 import { navigation } from '@/lib/docs'
 import { DocsNavigation } from './docs-navigation'
 import { MenuIcon, MoonIcon, SunIcon } from './icons'
@@ -22,7 +23,7 @@ const markCurrent = `(() => {
   const path = location.pathname
   const page = links.find((link) => link.pathname === path)
   if (page) page.setAttribute('aria-current', 'page')
-  else if (path.startsWith('/docs')) links[0].setAttribute('aria-current', 'true')
+  else if (path.startsWith('${at('/docs')}')) links[0].setAttribute('aria-current', 'true')
 })()`
 
 export function SiteHeader() {
@@ -35,7 +36,7 @@ export function SiteHeader() {
         Skip to content
       </a>
       <div className="mx-auto flex h-14 max-w-[88rem] items-center gap-1 px-4 sm:px-6">
-        <a href="/" className="flex min-w-0 sm:mr-4 items-center gap-2.5 font-semibold tracking-tight">
+        <a href={at('/')} className="flex min-w-0 sm:mr-4 items-center gap-2.5 font-semibold tracking-tight">
           <Mark className="size-6 shrink-0" />
           <span className="truncate">Gravity Stack</span>
         </a>
@@ -43,7 +44,7 @@ export function SiteHeader() {
           {links.map((link) => (
             <a
               key={link.href}
-              href={link.href}
+              href={at(link.href)}
               // The script below marks one before React looks at it.
               suppressHydrationWarning
               className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:text-foreground"

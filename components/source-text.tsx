@@ -1,6 +1,7 @@
 'use client'
 
 import { type ReactNode, useState } from 'react'
+import { at } from '@/lib/address'
 
 /** The button that had the focus is gone; a reader who has moved on meanwhile is left alone. */
 function takeFocus(code: HTMLElement | null) {
@@ -16,7 +17,7 @@ export function SourceText({ all, plain, children }: { all: string; plain: React
     if (state === 'loading') return
     setState('loading')
     try {
-      const response = await fetch('/source/gravity-stack.html.txt')
+      const response = await fetch(at('/source/gravity-stack.html.txt'))
       if (!response.ok) throw new Error(response.statusText)
       setHtml(await response.text())
     } catch {

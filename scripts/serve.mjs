@@ -5,7 +5,7 @@ import { join } from 'node:path'
 import compression from 'compression'
 import { lookup } from 'mrmime'
 import sirv from 'sirv'
-import { out, siteUrl } from '../site.config.mjs'
+import { basePath, out, siteUrl } from '../site.config.mjs'
 import { isMain, root } from './run.mjs'
 
 /** The rules of a _headers file: a path, a star at its end for all below it, then indented headers. */
@@ -21,8 +21,11 @@ function headerRules(file) {
   }))
 }
 
-/** Serves a folder from a port, 0 for any free one. What is built into the folder meanwhile is served too. */
-export function serve(folder, port) {
+/**
+ * Serves a built folder from a port, 0 for any free one, below `base`: the path of the address that it was built for.
+ * What is built into the folder meanwhile is served too.
+ */
+export function serve(folder, port, base = '') {
   const compress = compression()
   const files = sirv(folder, {
     extensions: ['html'],
@@ -34,7 +37,7 @@ export function serve(folder, port) {
       const type = lookup(url)
       if (/^text\/\w+$/.test(type)) response.setHeader('Content-Type', `${type};charset=utf-8`)
       for (const { matches, headers } of headerRules(join(folder, '_headers'))) {
-        if (matches(url)) for (const [name, value] of headers) response.setHeader(name, value)
+        if (matches(base + url)) for (const [name, value] of headers) response.setHeader(name, value)
       }
     },
   })
@@ -43,6 +46,9 @@ export function serve(folder, port) {
     response.end(readFileSync(join(folder, '404.html')))
   }
   const server = createServer((request, response) => {
+    const [path] = request.url.split('?')
+    if (path !== base && !path.startsWith(`${base}/`)) return response.writeHead(404).end()
+    request.url = request.url.slice(base.length).replace(/^(?!\/)/, '/')
     compress(request, response, () => files(request, response, () => notFound(response)))
   })
   return new Promise((resolve, reject) => server.once('error', reject).listen(port, () => resolve(server)))
@@ -54,13 +60,13 @@ export async function serveSite() {
   if (!existsSync(folder)) throw new Error(`There is no ${out}/ to serve yet. Run: npm run build`)
   // Pages and registry name their own address: served at another port, every copied command would be dead.
   const port = Number(new URL(siteUrl).port || 4000)
-  await serve(folder, port).catch((error) => {
+  await serve(folder, port, basePath).catch((error) => {
     if (error.code !== 'EADDRINUSE') throw error
     console.error(`Port ${port} is taken. Another one: SITE_URL=http://localhost:${port + 1} npm run site`)
     process.exit(1)
   })
-  console.log(`Site:     http://localhost:${port}`)
-  console.log(`Registry: http://localhost:${port}/r/gravity-stack.json`)
+  console.log(`Site:     http://localhost:${port}${basePath}`)
+  console.log(`Registry: http://localhost:${port}${basePath}/r/gravity-stack.json`)
 }
 
 if (isMain(import.meta.url)) await serveSite()

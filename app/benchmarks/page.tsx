@@ -6,6 +6,7 @@ import { Heading } from '@/components/heading'
 import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
+import { at } from '@/lib/address'
 import { claim, dearer, lost, open, plotName, plotTitle, results, ties } from '@/lib/evidence/results'
 import {
   circumstances,
@@ -287,7 +288,7 @@ function Title({ id }: { id: string }) {
 function Download({ file }: { file: string }) {
   return (
     <a
-      href={`/benchmarks/${file}`}
+      href={at(`/benchmarks/${file}`)}
       download
       className="underline decoration-foreground/35 underline-offset-4 hover:decoration-current"
     >

@@ -1,6 +1,7 @@
 'use client'
 
 import { useState } from 'react'
+import { at } from '@/lib/address'
 import { engineOrder } from '@/lib/evidence/engines'
 import type { FigureRow } from '@/lib/evidence/results'
 import { figure } from '@/lib/figure'
@@ -10,7 +11,7 @@ import { Table } from './table'
 let figures: Promise<Record<string, FigureRow[]>> | undefined
 
 async function fetchFigures(): Promise<Record<string, FigureRow[]>> {
-  const response = await fetch('/benchmarks/figures.json')
+  const response = await fetch(at('/benchmarks/figures.json'))
   if (!response.ok) throw new Error(response.statusText)
   return response.json()
 }
@@ -42,7 +43,7 @@ export function PlotTable({ name, label, unit }: { name: string; label: string; 
       {rows === 'failed' && <p role="alert">They could not be fetched; the raw data above has them.</p>}
       {!rows && (
         <p>
-          <a href="/benchmarks/errors.csv" download className="underline underline-offset-4">
+          <a href={at('/benchmarks/errors.csv')} download className="underline underline-offset-4">
             errors.csv
           </a>{' '}
           has them.

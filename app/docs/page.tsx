@@ -1,6 +1,7 @@
 import type { Metadata } from 'next'
 import { DocsLayout } from '@/components/docs-layout'
 import { PageTools } from '@/components/page-tools'
+import { at } from '@/lib/address'
 import { navigation } from '@/lib/docs'
 import { typeset } from '@/lib/typeset'
 
@@ -27,7 +28,7 @@ export default function Docs() {
               {section.pages.map((page) => (
                 <li key={page.href}>
                   <a
-                    href={page.href}
+                    href={at(page.href)}
                     className="block rounded-2xl px-5 py-4 -outline-offset-2 transition-colors hover:bg-muted"
                   >
                     <span className="font-medium">{page.title}</span>
