@@ -18,5 +18,19 @@ export const out = process.env.SITE_OUT || 'out'
 /** The version people see in the component's first lines, in the registry and in the changelog. */
 export const { version } = packageJson
 
+/**
+ * The repository on GitHub as owner/name, for people who add items from it: those of registry.json then name each other
+ * there. Left empty, they name each other by addresses of the site, as they do in what a site serves in any case.
+ */
+export const repository = ''
+
 /** Where the source stands, for the edit links of the docs; without it there are none. */
-export const repositoryUrl = (process.env.REPOSITORY_URL || '').replace(/\/+$/, '')
+export const repositoryUrl = publicAddress(
+  process.env.REPOSITORY_URL || (repository && `https://github.com/${repository}`),
+)
+
+/** An address of a repository without what it may carry beside: some hosts put the token they fetch it with into it. */
+export function publicAddress(address) {
+  const web = address.replace(/^git@([^:]+):/, 'https://$1/')
+  return web.replace(/^(https?:\/\/)[^/@]*@/, '$1').replace(/(\.git)?\/*$/, '')
+}

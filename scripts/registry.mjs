@@ -1,13 +1,13 @@
 // Builds the registry from registry.json and the files it names: the folder r of items, and directory.json, which is
 // our entry for shadcn's directory of registries.
-//   node scripts/registry.mjs           writes them into public, with the address that is committed
+//   node scripts/registry.mjs           renews registry.json and writes them into public, with the committed address
 //   node scripts/registry.mjs FOLDER    writes them into that folder, with the address of this build
-//   node scripts/registry.mjs --check   fails when public isn't what a fresh build gives
+//   node scripts/registry.mjs --check   fails when registry.json or public isn't what that would give
 import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import postcss from 'postcss'
-import { addressed, committedUrl, version } from '../site.config.mjs'
+import { addressed, committedUrl, repository, version } from '../site.config.mjs'
 import { isMain, must, root } from './run.mjs'
 
 const index = join(root, 'registry.json')
@@ -29,25 +29,49 @@ async function elevation() {
   return { cssVars, css }
 }
 
-/** Brings the stylesheet's tokens into registry.json, and says whether they were other ones. */
-async function takeTokens({ write }) {
-  const registry = JSON.parse(await readFile(index, 'utf8'))
-  const item = registry.items.find(({ name }) => name === 'elevation')
-  const tokens = await elevation()
-  const { cssVars, css } = item
-  if (JSON.stringify({ cssVars, css }) === JSON.stringify(tokens)) return false
+const address = (name) => `${committedUrl}/r/${name}.json`
+
+/** An index in which items that depend on others of the same index name them by `form`. */
+function withDependencies({ items, ...rest }, form) {
+  const names = new Set(items.map(({ name }) => name))
+  const renamed = (dependency) => {
+    const name = dependency.match(/\/([^/]+?)(\.json)?$/)?.[1]
+    return names.has(name) ? form(name) : dependency
+  }
+  return {
+    ...rest,
+    items: items.map((item) =>
+      item.registryDependencies
+        ? { ...item, registryDependencies: item.registryDependencies.map(renamed) }
+        : item,
+    ),
+  }
+}
+
+/** registry.json as it is to be committed for a repository: its address, its form of dependencies, the stylesheet's tokens. */
+export async function freshIndex(source = repository) {
+  const text = await readFile(index, 'utf8')
+  const registry = JSON.parse(text.replaceAll(JSON.parse(text).homepage, committedUrl))
+  const ladder = registry.items.find(({ name }) => name === 'elevation')
+  Object.assign(ladder, await elevation())
+  return withDependencies(registry, source ? (name) => `${source}/${name}` : address)
+}
+
+/** Writes registry.json as it is to be committed, and says whether it was another one. */
+async function renewIndex({ write }) {
+  const fresh = await freshIndex()
+  const committed = JSON.parse(await readFile(index, 'utf8'))
+  if (JSON.stringify(committed) === JSON.stringify(fresh)) return false
   if (write) {
-    Object.assign(item, tokens)
-    await writeFile(index, JSON.stringify(registry))
+    await writeFile(index, JSON.stringify(fresh, null, 2))
     await must('biome', ['format', '--write', index])
   }
   return true
 }
 
-/** registry.json as it is committed, with the package's version. */
+/** What the site serves: the index with addresses for dependencies, and the package's version. */
 async function source() {
-  const registry = JSON.parse(await readFile(index, 'utf8'))
-  const { items, ...rest } = registry
+  const { items, ...rest } = withDependencies(await freshIndex(), address)
   return { ...rest, items: items.map((item) => ({ ...item, meta: { ...item.meta, version } })) }
 }
 
@@ -99,7 +123,7 @@ async function readAll(folder) {
 
 /** The names of files that a fresh build would change, add or drop. */
 async function staleFiles() {
-  if (await takeTokens({ write: false })) return ['registry.json']
+  if (await renewIndex({ write: false })) return ['registry.json']
   const [now, then] = await inFolder(async (folder) => {
     await writeRegistry(folder)
     return [await readAll(folder), await readAll(served)]
@@ -118,7 +142,7 @@ if (isMain(import.meta.url)) {
   } else if (argument) {
     await buildRegistry(argument)
   } else {
-    await takeTokens({ write: true })
+    await renewIndex({ write: true })
     await writeRegistry(served)
   }
 }

@@ -5,6 +5,8 @@ import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { registryItemSchema, registrySchema } from 'shadcn/schema'
 import { expect, onTestFinished, test } from 'vitest'
+import { committedUrl } from '../site.config.mjs'
+import { freshIndex } from './registry.mjs'
 import { root } from './run.mjs'
 
 const served = join(root, 'public/r')
@@ -26,6 +28,20 @@ test('each example of the docs is an item, named …-demo, that brings the compo
   for (const { registryDependencies } of demos) {
     expect(registryDependencies).toContain(`${homepage}/r/gravity-stack.json`)
   }
+})
+
+test('items name each other by address, or by the repository that people add them from', async () => {
+  const dependencies = async (repository: string) =>
+    (await freshIndex(repository)).items.flatMap(
+      ({ registryDependencies = [] }: { registryDependencies?: string[] }) => registryDependencies,
+    )
+  const addresses = await dependencies('')
+  expect(addresses).toContain(`${committedUrl}/r/elevation.json`)
+  expect(await dependencies('liten/gravity-stack')).toEqual(
+    addresses.map((to: string) =>
+      to.replace(`${committedUrl}/r/`, 'liten/gravity-stack/').replace(/\.json$/, ''),
+    ),
+  )
 })
 
 test('each item says what it is, whose, and where its docs are', async () => {

@@ -2,6 +2,7 @@ import { spawn } from 'node:child_process'
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { createInterface } from 'node:readline'
+import { freshIndex } from '../../scripts/registry.mjs'
 import { root } from '../../scripts/run.mjs'
 import { addressed, siteUrl, version } from '../../site.config.mjs'
 import { answered, components, expect, item, type Project, test, tool } from './project'
@@ -131,16 +132,34 @@ test('an older copy shows what changed, is kept unless told otherwise, and updat
   expect(await project.read(file)).toBe(await source())
 })
 
-test('the repository itself is a registry, by owner, name and item', async ({ make }) => {
+test('from a repository an example brings the component and its tokens along, and no site is asked', async ({
+  make,
+}) => {
+  // The repository as it is committed when the setting `repository` names it.
+  const repository = await make('repository')
+  const index = await freshIndex('liten/gravity-stack')
+  const paths = index.items.flatMap(({ files = [] }) => files.map(({ path }: { path: string }) => path))
+  const files = paths.map(async (path: string) => [path, await readFile(join(root, path), 'utf8')])
+  await repository.write({ 'registry.json': index, ...Object.fromEntries(await Promise.all(files)) })
+  const git = (...args: string[]) =>
+    repository.run('git', ['-c', 'user.name=liten', '-c', 'user.email=liten@someone.example', ...args])
+  await git('init', '--quiet')
+  await git('add', '--all')
+  await git('commit', '--quiet', '--message', 'All of it')
+
   const project = await make('bare')
   await bare(project)
-  const commit = 'a'.repeat(40)
-  await project.run(
-    join(root, 'node_modules/.bin/shadcn'),
-    ['add', `liten/gravity-stack/gravity-stack#${commit}`, '--yes'],
-    answered,
-  )
+  // git itself says which commit is meant, and looks for the repository on this machine.
+  Object.assign(project.env, answered, {
+    REPOSITORY: repository.folder,
+    GIT_CONFIG_COUNT: '1',
+    GIT_CONFIG_KEY_0: `url.${repository.folder}.insteadOf`,
+    GIT_CONFIG_VALUE_0: 'https://github.com/liten/gravity-stack.git',
+  })
+  await project.shadcn('add', 'liten/gravity-stack/gravity-stack-elevation-demo', '--yes')
   expect(await project.read(file)).toBe(await committed())
+  expect(project.has('components/gravity-stack-elevation-demo.tsx')).toBe(true)
+  expect(await project.read('app.css')).toContain('--color-elevation-4: var(--elevation-4);')
 })
 
 test('other aliases, such as ~/, are followed in the files that arrive', async ({ make }) => {

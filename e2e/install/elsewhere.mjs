@@ -1,10 +1,7 @@
-// Loaded into the CLI by a test: what it asks of GitHub's file server is answered from this checkout, and what it
-// asks of shadcn's own site for a preset, by an empty one.
-import { readFile } from 'node:fs/promises'
-import { join } from 'node:path'
-import { fileURLToPath } from 'node:url'
+// Loaded into the CLI by a test: what it asks of GitHub's file server is answered from the repository in the folder
+// REPOSITORY, and what it asks of shadcn's own site for a preset, by an empty one.
+import { execFileSync } from 'node:child_process'
 
-const root = fileURLToPath(new URL('../..', import.meta.url))
 const online = globalThis.fetch
 
 globalThis.fetch = async (input, init) => {
@@ -12,9 +9,10 @@ globalThis.fetch = async (input, init) => {
   if (hostname === 'ui.shadcn.com' && pathname === '/init')
     return Response.json({ name: 'preset', type: 'registry:base' })
   if (hostname !== 'raw.githubusercontent.com') return online(input, init)
-  const [, , , , ...path] = pathname.split('/')
+  const [, , , commit, ...path] = pathname.split('/')
   try {
-    return new Response(await readFile(join(root, ...path)))
+    const options = { cwd: process.env.REPOSITORY, stdio: 'pipe', maxBuffer: 2 ** 26 }
+    return new Response(execFileSync('git', ['show', `${commit}:${path.join('/')}`], options))
   } catch {
     return new Response('404: Not Found', { status: 404 })
   }
