@@ -147,6 +147,11 @@ export const IMPACT_NEAR = 72
 /** px that are left when the first of two hits comes, up to which they count as one. */
 export const IMPACT_TOUCH = 0.05
 
+/** px: two chips that would miss if they were this much farther apart slide past one another. See D-012. */
+export const GRAZE = 0.1
+/** Sine of the angle up to which a motion counts as along a surface. */
+export const GRAZE_SLOPE = 0.1
+
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 export const REST_DISTANCE = 0.5
 export const REST_TIME = 0.5
@@ -167,6 +172,8 @@ export const GRAB_GRAVITY = 500
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
+/** px by which a hand outside of the stage presses its chip against the wall: friction then calms a swinging chip. See D-013. */
+export const GRAB_PRESS = 1
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 export const GRAB_SAG = 4
 /** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */

@@ -98,6 +98,67 @@ describe('a held chip', () => {
       }
   })
 
+  it.each([
+    ['right', 150],
+    ['right', 300],
+    ['left', 150],
+    ['left', 300],
+    ['floor', 150],
+    ['floor', 300],
+  ])('slides along the edge, level with a hand that moves along it outside: %s, %i px off', (edge, off) => {
+    const chip = { width: 120, height: 36, radius: 18, angle: 0, x: 320, y: floor - 18 }
+    for (const grabbed of [-50, 0, 50]) {
+      const { world, ids } = pile([chip])
+      const grab = world.grab(ids[0], 320 + grabbed, chip.y)
+      const along = (k: number) => Math.min(100, (100 * k) / 30)
+      const point = (k: number) => {
+        if (edge === 'floor') return [250 + along(k), floor + off] as const
+        return [edge === 'left' ? -off : stage.width + off, 280 - along(k)] as const
+      }
+      for (let k = 1; k <= 60; k++) {
+        grab.moveTo(...point(0), k * frame)
+        world.step(frame)
+      }
+      for (let k = 1; k <= 120; k++) {
+        grab.moveTo(...point(k), 1 + k * frame)
+        world.step(frame)
+        expect(outside(world, ids, [chip])).toBeLessThan(1)
+      }
+      const { x, y, angle } = world.read(ids[0])
+      const level = edge === 'floor' ? x + grabbed * Math.cos(angle) : y + grabbed * Math.sin(angle)
+      expect(Math.abs(level - (edge === 'floor' ? 350 : 180)), `grabbed at ${grabbed}`).toBeLessThan(4)
+    }
+  })
+
+  it('lies in the corner that a hand outside is nearest to, and hangs from one above the open top', () => {
+    const chip = { width: 60, height: 40, radius: 8, angle: 0, x: 320, y: floor - 20 }
+    const { world, ids } = pile([chip])
+    const grab = world.grab(ids[0], 320, chip.y)
+    const hold = (x: number, y: number, from: number) => {
+      for (let k = 1; k <= 120; k++) {
+        grab.moveTo(x, y, from + k * frame)
+        world.step(frame)
+      }
+      return world.read(ids[0])
+    }
+    const corner = hold(stage.width + 400, floor + 400, 0)
+    expect(corner.x).toBeGreaterThan(stage.width - 31)
+    expect(corner.y).toBeGreaterThan(floor - 21)
+    expect(Math.abs(hold(320, -300, 2).y + 300)).toBeLessThan(4)
+  })
+
+  it('stays level with a hand outside when the wall comes nearer', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
+    const grab = world.grab(ids[0], 320, 100)
+    for (let k = 1; k <= 240; k++) {
+      if (k === 120) world.resize(400, 340)
+      grab.moveTo(900, Math.max(100, 250 - 2 * k), k * frame)
+      world.step(frame)
+    }
+    expect(Math.abs(world.read(ids[0]).y - 100)).toBeLessThan(4)
+    expect(outside(world, ids, [pill], { width: 400, height: 340 })).toBeLessThan(0.1)
+  })
+
   it('follows the pointer across the stage and comes to rest where it stops', () => {
     const { world, ids } = worldOf([{ ...pill, x: 100, y: 100 }])
     const grab = world.grab(ids[0], 100, 100)
@@ -230,6 +291,33 @@ describe('a chip let go', () => {
         grab.release()
         expect(world.read(ids[0]).vx, `${1000 * late} ms at ${rate} Hz`).toBeCloseTo(1000, 3)
       }
+  })
+
+  it('leaves with the speed of a pointer that flies along a wall far outside', () => {
+    for (const off of [150, 300]) {
+      const { world, ids } = worldOf([{ ...pill, x: 100, y: 1500 }], { width: 640, height: 2000 })
+      const grab = world.grab(ids[0], 100, 1500)
+      for (let k = 0; k <= 90; k++) {
+        // It flies off within a tenth of a second.
+        grab.moveTo(-off, 1500 - (1200 * Math.max(0, k - 84)) / 60, k * frame)
+        world.step(frame)
+      }
+      grab.release()
+      const { vx, vy } = world.read(ids[0])
+      expect(vy, `${off} px off`).toBeCloseTo(-1200, 3)
+      expect(Math.abs(vx)).toBeLessThan(50)
+    }
+  })
+
+  it('leaves with the speed of a pointer that has just left the stage', () => {
+    const { world, ids } = worldOf([{ ...pill, x: 200, y: 100 }])
+    const grab = world.grab(ids[0], 200, 100)
+    for (let k = 0; 200 + 20 * k < stage.width + 20; k++) {
+      grab.moveTo(200 + 20 * k, 100, k * frame)
+      world.step(frame)
+    }
+    grab.release()
+    expect(world.read(ids[0]).vx).toBeCloseTo(1200, 3)
   })
 
   it('leaves with the speed of the pointer when it is flicked by its end between two frames', () => {

@@ -4,6 +4,9 @@ import {
   BRAKE,
   COS,
   capSpeed,
+  extents,
+  farWall,
+  halfExtents,
   INV_INERTIA,
   INV_MASS,
   MOTION,
@@ -19,10 +22,12 @@ import {
   X,
   Y,
 } from './body'
+import type { Walls } from './collide'
 import {
   GRAB_DAMPING,
   GRAB_GRAVITY,
   GRAB_HERTZ,
+  GRAB_PRESS,
   GRAB_SAG,
   GRAB_STRENGTH,
   MAX_TOSS,
@@ -32,6 +37,14 @@ import {
   THROW_SPEED,
   THROW_WINDOW,
 } from './constants'
+
+/** What a hand is told of its scene. */
+interface Surroundings {
+  bodies: Bodies
+  walls: Walls
+  gravity: number
+  h: number
+}
 
 /**
  * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
@@ -45,6 +58,9 @@ export interface Hold {
   /** Where the pointer is, and where it was lately. */
   x: number
   y: number
+  /** The place nearest to the pointer that the grabbed point can reach within walls and floor. */
+  targetX: number
+  targetY: number
   samples: { x: number; y: number; seconds: number }[]
   /** s simulated since the pointer last moved. */
   idle: number
@@ -68,6 +84,8 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
     localY: c * dy - s * dx,
     x,
     y,
+    targetX: x,
+    targetY: y,
     samples: [],
     idle: 0,
     impulseX: 0,
@@ -77,25 +95,33 @@ export function createHold(bodies: Bodies, body: number, x: number, y: number): 
   }
 }
 
-/** px, from the centre of the held body to the grabbed point, as `findArm` left it. */
+/** px, from the centre of the held body to the grabbed point, as `aim` left it. */
 const arm: Float64Array = new Float64Array(2)
 
-function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): void {
-  turn(state, motion, body)
+/** Finds the arm and the target of `hold` at the body's present angle. Upwards every place is in reach: there is no ceiling. */
+function aim({ bodies, walls }: Surroundings, hold: Hold): void {
+  const { motion, shape } = bodies
+  const { body, localX, localY } = hold
+  halfExtents(bodies, body, 0, 0)
   const cos = motion[body * MOTION + COS]
   const sin = motion[body * MOTION + SIN]
   arm[0] = cos * localX - sin * localY
   arm[1] = sin * localX + cos * localY
+  const left = extents[X] - GRAB_PRESS
+  const right = Math.max(left, farWall(shape, body, walls.width) - left)
+  hold.targetX = arm[0] + Math.min(Math.max(hold.x - arm[0], left), right)
+  hold.targetY = arm[1] + Math.min(hold.y - arm[1], walls.height - extents[Y] + GRAB_PRESS)
 }
 
-/** Prepares the constraint for a sub-step of `h` seconds. */
-export function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
+/** Prepares the constraint for a sub-step. */
+export function prepareHold(scene: Surroundings, hold: Hold): void {
+  const { bodies, h } = scene
   const at = hold.body * STATE
   const angle = bodies.state[at + ANGLE]
   // The arm is that at the end of the sub-step, as at a wall: with the one before, a chip that the hand pulls against one rocks ever faster.
   bodies.state[at + ANGLE] +=
     h * (bodies.state[at + SPIN] + 0.5 * bodies.motion[hold.body * MOTION + PUSH_SPIN])
-  findArm(bodies, hold)
+  aim(scene, hold)
   bodies.state[at + ANGLE] = angle
   hold.idle += h
   // In the hand it has no memory of what it rolled on: else it would hang askew.
@@ -108,12 +134,12 @@ export function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
 }
 
 /** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
-export function pull(bodies: Bodies, hold: Hold, gravity: number): number {
+export function pull(scene: Surroundings, hold: Hold): number {
   const i = hold.body * STATE
-  const s = bodies.state
-  findArm(bodies, hold)
-  const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
-  return Math.max(0, Math.min(away - GRAB_SAG, strength(gravity) * STEP * STEP))
+  const s = scene.bodies.state
+  aim(scene, hold)
+  const away = Math.abs(s[i + X] + arm[0] - hold.targetX) + Math.abs(s[i + Y] + arm[1] - hold.targetY)
+  return Math.max(0, Math.min(away - GRAB_SAG, strength(scene.gravity) * STEP * STEP))
 }
 
 /** px/s², the most by which a hand accelerates its chip. */
@@ -142,8 +168,8 @@ export function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number
   const a1 = 2 * GRAB_DAMPING + h * omega
   const a2 = h * omega * a1
   const soft = 1 / (1 + a2)
-  const vx = s[i + VX] - s[i + SPIN] * ry + (omega / a1) * (s[i + X] + rx - hold.x)
-  const vy = s[i + VY] + s[i + SPIN] * rx + (omega / a1) * (s[i + Y] + ry - hold.y)
+  const vx = s[i + VX] - s[i + SPIN] * ry + (omega / a1) * (s[i + X] + rx - hold.targetX)
+  const vy = s[i + VY] + s[i + SPIN] * rx + (omega / a1) * (s[i + Y] + ry - hold.targetY)
   const k11 = m + n * ry * ry
   const k12 = -n * rx * ry
   const k22 = m + n * rx * rx
@@ -184,7 +210,8 @@ export function recordHold(hold: Hold, x: number, y: number, seconds: number): v
  * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; below
  * `THROW_SPEED` the less of that, the slower, as what swings below a hand that stands still swings on. Another hand that still holds the body decides alone.
  */
-export function throwVelocity(bodies: Bodies, hold: Hold): void {
+export function throwVelocity(scene: Surroundings, hold: Hold): void {
+  const { bodies } = scene
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
@@ -205,17 +232,20 @@ export function throwVelocity(bodies: Bodies, hold: Hold): void {
     if (tt > 1e-5) {
       const vx = tx / tt
       const vy = ty / tt
-      findArm(bodies, hold)
-      const offX = s[i + X] + arm[0] - hold.x
-      const offY = s[i + Y] + arm[1] - hold.y
+      aim(scene, hold)
+      const x = s[i + X] + arm[0]
+      const y = s[i + Y] + arm[1]
       // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
       const speed = Math.sqrt(vx * vx + vy * vy)
-      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * speed) {
-        const share = Math.min(1, speed / THROW_SPEED)
-        s[i + VX] += share * (vx - s[i + VX])
-        s[i + VY] += share * (vy - s[i + VY])
-      }
+      const near = (toX: number, toY: number) =>
+        Math.sqrt((x - toX) * (x - toX) + (y - toY) * (y - toY)) < THROW_SLACK + trail * speed
+      const share = Math.min(1, speed / THROW_SPEED)
+      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the wall only.
+      const close = near(hold.x, hold.y)
+      const level = near(hold.targetX, hold.targetY)
+      if (close || (level && hold.targetX === hold.x)) s[i + VX] += share * (vx - s[i + VX])
+      if (close || (level && hold.targetY === hold.y)) s[i + VY] += share * (vy - s[i + VY])
     }
   }
   capSpeed(s, i, MAX_TOSS)

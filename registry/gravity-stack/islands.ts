@@ -67,8 +67,7 @@ export function findIslands(islands: Islands, scene: Scene): void {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = asked[awake[n]] = 0
   }
-  for (const hold of scene.holds)
-    reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
+  for (const hold of scene.holds) reach[hold.body] = Math.max(reach[hold.body], pull(scene, hold))
   islands.nearCount = 0
   islands.struckCount = 0
   gather(islands, scene, false)

@@ -237,7 +237,7 @@ export function createWorld(options: WorldOptions) {
           scene.revision++
           holds.splice(n, 1)
           bodies.held[id]--
-          throwVelocity(bodies, hold)
+          throwVelocity(scene, hold)
           // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
           for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
             contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity

@@ -195,7 +195,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, sorted, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(simulation, grabbed[g]!)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
     const solved = converge(simulation, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
