@@ -94,6 +94,7 @@ export function playHard(
     asleep: Number.POSITIVE_INFINITY,
     hanging: 0,
     through: 0,
+    slowed: 0,
   }
   const frames = Math.round(scene.seconds / frame)
   const { calmFrom = 0 } = scene
@@ -130,6 +131,8 @@ export function playHard(
     }
     if (watched.has('gain')) figures.gain = Math.max(figures.gain, (energy(now) - put) / put)
     if (scene.plate !== undefined) figures.through += crossings(scene.plate, chips, before, now)
+    if (scene.slider !== undefined)
+      figures.slowed = Math.max(figures.slowed, slowedBy(scene, chips[scene.slider], k, now[scene.slider].vx))
     if (k >= calm && world.resting && figures.asleep === Number.POSITIVE_INFINITY) {
       figures.asleep = Math.max(0, k - calm) * frame
     }
@@ -142,6 +145,11 @@ export function playHard(
   figures.hanging = hanging(living(), posesOf(before), stage, false)
   figures.drift = driftOf(chips, before)
   return { figures, hash: world.hash() }
+}
+
+/** px/s by which a chip that slides along a level surface is slower at a frame than friction alone makes it. */
+export function slowedBy({ conditions }: HardScene, chip: Chip, frames: number, vx: number) {
+  return Math.max(0, chip.vx! - conditions.friction * conditions.gravity * frames * frame) - vx
 }
 
 /** px that a chip reaches out of the stage. The floor holds always, the walls what they have room for. */

@@ -1,11 +1,15 @@
 // Prints how the solver bears the scenes that break solvers, each figure beside its bound.
 //   npx tsx bench/stability.ts [--scene part,of,names] [--seeds 20] [--each] [--write]
+//   npx tsx bench/stability.ts --scene seams --engine planck,rapier
 // --each prints every seed; --write keeps the figures for the docs in bench/results/stability.json.
+// --engine plays the scenes in which a chip slides with other engines, at their defaults, and prints by how much it is slowed.
 import { writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type HardFigures, hardScenes, hardUnits } from '../scenes/hard'
-import { type HardRow, hardRows, holds, playHardScene } from './hard-run'
+import { loadEngine } from './engines'
+import { filmScene } from './film'
+import { type HardRow, hardRows, holds, playHardScene, slowedBy } from './hard-run'
 
 const { values: options } = parseArgs({
   options: {
@@ -13,6 +17,7 @@ const { values: options } = parseArgs({
     seeds: { type: 'string', default: '20' },
     each: { type: 'boolean', default: false },
     write: { type: 'boolean', default: false },
+    engine: { type: 'string' },
   },
 })
 
@@ -21,6 +26,30 @@ if (options.write && (options.scene || options.each || options.seeds !== '20'))
 const wanted = options.scene?.split(',')
 const scenes = hardScenes.filter(({ name }) => !wanted || wanted.some((part) => name.includes(part)))
 if (scenes.length === 0) throw new Error(`No scene is named like ${options.scene}`)
+if (options.engine) {
+  for (const name of options.engine.split(',')) {
+    const engine = await loadEngine(name)
+    for (const scene of scenes) {
+      const { slider } = scene
+      if (slider === undefined) continue
+      const slowed = Array.from({ length: Math.min(scene.seeds, Number(options.seeds)) }, (_, i) => {
+        const known = { ...scene, measures: [], measure: () => [] }
+        const { film } = filmScene(engine, known, engine.settings[0], i + 1)
+        const frames = Array.from({ length: film.frames }, (_, k) => k + 1)
+        return Math.max(
+          ...frames.map((k) => slowedBy(scene, film.chips[slider], k, film.state(k, slider).vx)),
+        )
+      })
+      const bound = scene.bounds.slowed!
+      const trips = slowed.filter((by) => by > bound).length
+      const worst = Number(Math.max(...slowed).toPrecision(3))
+      console.log(
+        `${name.padEnd(20)}${scene.name.padEnd(18)}${trips} of ${slowed.length} slowed by over ${bound} px/s, at worst ${worst}`,
+      )
+    }
+  }
+  process.exit(0)
+}
 let broken = 0
 const kept: HardRow[] = []
 console.log(`${'scene'.padEnd(28)}${'figure'.padEnd(16)}${'worst'.padStart(10)}${'bound'.padStart(9)}`)

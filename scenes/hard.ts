@@ -41,6 +41,8 @@ export type HardFigures = {
   hanging: number
   /** chips that went through a plate */
   through: number
+  /** px/s, how much slower the sliding chip is than friction alone makes it */
+  slowed: number
 }
 
 export const hardUnits: Record<keyof HardFigures, string> = {
@@ -55,6 +57,7 @@ export const hardUnits: Record<keyof HardFigures, string> = {
   asleep: 's',
   hanging: 'chips',
   through: 'chips',
+  slowed: 'px/s',
 }
 
 /** The figures in a reader's words. */
@@ -70,6 +73,7 @@ export const hardWords: Record<keyof HardFigures, string> = {
   asleep: 'asleep after',
   hanging: 'hanging in the air',
   through: 'went through',
+  slowed: 'slower than friction makes it',
 }
 
 export type HardScene = {
@@ -88,6 +92,8 @@ export type HardScene = {
   overlapFrom?: number
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
+  /** the chip that slides along a level surface from its start to its end */
+  slider?: number
   bounds: Partial<HardFigures>
 }
 
@@ -216,6 +222,36 @@ function corbels(floor: number): Chip[] {
   }
   chips.push({ width: 160, height: 30, x: 320, y: floor - 195, angle: 0 })
   return chips
+}
+
+/**
+ * A box that slides over a level row of twelve, with joints closed, 3 and 10 px wide in turn from seed to seed, at 150 to 1,290 px/s. It sets
+ * out with its leading corner 2 px before a joint, and stays on the row.
+ */
+function seams(name: string, title: string, friction: number, radius: number): HardScene {
+  return {
+    name,
+    title,
+    width: 1000,
+    height: 340,
+    seconds: 0.5,
+    conditions: { ...conditions, friction },
+    seeds: 20,
+    build(seed) {
+      const joint = [0, 3, 10][seed % 3]
+      const row = Array.from({ length: 12 }, (_, i) => ({
+        width: 60,
+        height: 40,
+        radius: 0,
+        x: 30 + i * (60 + joint),
+        y: 320,
+        angle: 0,
+      }))
+      return [{ width: 50, height: 30, radius, x: 33, y: 285, angle: 0, vx: 90 + 60 * seed }, ...row]
+    },
+    slider: 0,
+    bounds: { lost: 0, outside: 1, gain: 0.001, slowed: 8 },
+  }
 }
 
 export const hardScenes: HardScene[] = [
@@ -367,6 +403,9 @@ export const hardScenes: HardScene[] = [
     build: () => corbels(340),
     bounds: { ...settles, gain: 0.001, drift: 1 },
   },
+  seams('seams-smooth', 'A box slides over the joints of a row without friction', 0, 0),
+  seams('seams-rough', 'A box slides over the joints of a row with friction', 0.4, 0),
+  seams('seams-rounded', 'A box with corners of 1 px slides over the joints of a row', 0.4, 1),
   {
     name: 'heavy-on-light',
     title: 'A chip lands on two that weigh a four-hundredth of it',

@@ -1,4 +1,21 @@
-import { type Bodies, COS, farWall, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, turn, X, Y } from './body'
+import {
+  type Bodies,
+  COS,
+  farWall,
+  HX,
+  HY,
+  MOTION,
+  RADIUS,
+  SHAPE,
+  SIN,
+  STATE,
+  turn,
+  VX,
+  VY,
+  X,
+  Y,
+} from './body'
+import { GRAZE_SLOPE } from './constants'
 
 /**
  * Two shapes in, contact points out. The result is left in `touch`, which is used again by the next call.
@@ -8,7 +25,7 @@ import { type Bodies, COS, farWall, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, t
  *
  * In and out through arrays: numbers handed over as arguments would be boxed.
  */
-export const touch: Float64Array = new Float64Array(20)
+export const touch: Float64Array = new Float64Array(21)
 /** px; from the centre of A to its surface, of B to its surface, separation, feature; then the same of a second point. */
 export const AX = 0
 export const AY = 1
@@ -30,6 +47,11 @@ export const LEAD = 17
 /** px and px/s, gap of a point and the rate at which it opens, left by `probe`. */
 export const GAP_NOW = 18
 export const RATE_NOW = 19
+/**
+ * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther apart they would
+ * miss. Infinite where the motion is neither along nor against the face.
+ */
+export const ACROSS = 20
 
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
@@ -167,6 +189,15 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   const invE = ee > 0 ? 1 / ee : 0
   const own = onA ? 0 : 4
   const other = onA ? 4 : 0
+  const vx = state[b * STATE + VX] - state[a * STATE + VX]
+  const vy = state[b * STATE + VY] - state[a * STATE + VY]
+  const speed = Math.sqrt(vx * vx + vy * vy)
+  const head = Math.abs(fx * vx + fy * vy)
+  const side = Math.abs(gx * vx + gy * vy)
+  const halves = Math.abs(ex * vy - ey * vx) + half * head
+  const centres = Math.abs((mx - fx * depth) * vy - (my - fy * depth) * vx)
+  const slanted = Math.min(head, side) > GRAZE_SLOPE * speed
+  touch[ACROSS] = slanted ? Infinity : radii + (halves - centres) / speed
   const face = onX ? 0 : 2
   const mine = onA ? AX : BX
   const its = onA ? BX : AX
@@ -205,6 +236,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
         touch[NORMAL_X] = sign * nx
         touch[NORMAL_Y] = sign * ny
         touch[DISTANCE] = distance - radii
+        // A motion along the face sees both sides edge on: the distance of the two corners counts instead.
+        if (!slanted && side > head) touch[ACROSS] = radii - Math.abs(dx * vy - dy * vx) / speed
         // Seen along the normal the two sides may reach back beside each other: where the shorter one ends is a second point, as
         // what lies nearly in line may meet there next.
         const backU = s * (ux * ny - uy * nx)

@@ -19,6 +19,7 @@ import {
   Y,
 } from './body'
 import {
+  ACROSS,
   AX,
   AY,
   BX,
@@ -38,6 +39,7 @@ import {
   touch,
   type Walls,
 } from './collide'
+import { GRAZE, GRAZE_SLOPE } from './constants'
 import type { Hold } from './grab'
 
 /**
@@ -242,6 +244,17 @@ export function carry({ bodies, contacts }: Scene, c: number, sign: number): voi
 }
 
 /**
+ * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The corner of a box
+ * sags a little into the surface that it slides on: it would trip over the side of the next box in a level row.
+ */
+function grazes({ state }: Bodies, a: number, b: number): boolean {
+  const vx = state[b * STATE + VX] - state[a * STATE + VX]
+  const vy = state[b * STATE + VY] - state[a * STATE + VY]
+  const approach = -touch[NORMAL_X] * vx - touch[NORMAL_Y] * vy
+  return touch[ACROSS] < GRAZE && approach > GRAZE_SLOPE * Math.sqrt(vx * vx + vy * vy)
+}
+
+/**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
@@ -252,10 +265,14 @@ export function measure(scene: Scene, c: number): void {
   const { state, motion } = bodies
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
+  const load1 = contacts.data[c * CONTACT + LOAD]
+  const load2 = contacts.data[c * CONTACT + SECOND + LOAD]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
   const turned = a > 0 ? 0 : touch[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
-  if (a > 0) collide(bodies, a, b)
-  else {
+  if (a > 0) {
+    collide(bodies, a, b)
+    if (load1 + load2 === 0 && grazes(bodies, a, b)) touch[COUNT] = 0
+  } else {
     state[b * STATE + ANGLE] = angleB + turned
     collideWall(bodies, scene.walls, b, contacts.wall[c])
     state[b * STATE + ANGLE] = angleB
@@ -263,8 +280,6 @@ export function measure(scene: Scene, c: number): void {
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const load1 = d[k + LOAD]
-  const load2 = d[k + SECOND + LOAD]
   const loaded = load1 + load2 > 0
   const torque = d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG]
   if (loaded || d[k + LAG] !== 0) carry(scene, c, -1)

@@ -570,3 +570,73 @@ function deepest(chips: Chip[], frames = 8) {
   }
   return most
 }
+
+describe('a box on a level row of boxes', () => {
+  const block = { width: 60, height: 40, radius: 0, angle: 0 }
+  const still = { linearDamping: 0, angularDamping: 0 }
+
+  /** A row with joints of `joint` px, a box with corners of `radius` px that slides along it, and how much slower it gets than friction makes it. */
+  function slide(speed: number, friction: number, joint: number, radius: number) {
+    const row = Array.from({ length: 12 }, (_, i) => ({ ...block, x: 40 + i * (60 + joint), y: 320 }))
+    const slider = { width: 50, height: 30, radius, angle: 0, x: 40, y: 285, vx: speed }
+    const { world, ids } = worldOf([slider, ...row], { ...still, width: 1000, friction })
+    let slowed = 0
+    for (let k = 1; k <= 120 && world.read(ids[0]).x < row[11].x; k++) {
+      world.step(frame)
+      slowed = Math.max(slowed, speed - friction * 2600 * k * frame - world.read(ids[0]).vx)
+      if (speed < friction * 2600 * (k + 1) * frame) break
+    }
+    return slowed
+  }
+
+  it.each([0, 3, 10])('slides over joints of %i px as over a floor, however sharp its corners', (joint) => {
+    for (const radius of [0, 0.25, 1, 2])
+      for (const friction of [0, 0.4])
+        for (const speed of [150, 500, 1250]) {
+          const slowed = slide(speed, friction, joint, radius)
+          expect(slowed, `${speed} px/s, ${friction}, ${radius} px`).toBeLessThan(radius > 0 ? 25 : 8)
+        }
+  })
+
+  it('falls along a wall of boxes as through the air', () => {
+    const wall = Array.from({ length: 15 }, (_, i) => ({
+      ...block,
+      x: 500 + 0.02 * (i % 2),
+      y: 780 - 40 * i,
+    }))
+    const { world, ids } = worldOf(wall, { ...still, width: 1000, height: 800, friction: 0 })
+    run(world, 1)
+    const id = world.add({ ...block, x: world.read(ids[14]).x - 60, y: 220, vy: 100 })
+    run(world, 0.5)
+    expect(Math.abs(world.read(id).vy - 1400)).toBeLessThan(15)
+  })
+
+  it('still hits the next one that stands a pixel higher', () => {
+    const row = Array.from({ length: 6 }, (_, i) => ({
+      ...block,
+      height: i > 2 ? 41 : 40,
+      x: 40 + 60 * i,
+      y: i > 2 ? 319.5 : 320,
+      density: 1000,
+    }))
+    const { world, ids } = worldOf([...row, { ...block, x: 44, y: 280, vx: 400 }], { ...still, friction: 0 })
+    run(world, 1)
+    expect(world.read(ids[6]).vx).toBeLessThan(30)
+  })
+
+  it('hits another corner to corner, and does not go into it', () => {
+    for (const off of [-0.1, -0.05, 0, 0.05, 0.1])
+      for (const slope of [0, 0.05, 0.2, 1])
+        for (const speed of [300, 3000]) {
+          const chips = [
+            { ...block, x: 2000, y: 2000 },
+            { ...block, x: 1890, y: 1960 + off - 50 * slope, vx: speed, vy: slope * speed },
+          ]
+          const { world, ids } = worldOf(chips, { ...still, gravity: 0, width: 4000, height: 4000 })
+          for (let k = 0; k < 20; k++) {
+            world.step(frame)
+            expect(overlap(world, ids, chips, { width: 4000, height: 4000 })).toBeLessThan(1)
+          }
+        }
+  })
+})
