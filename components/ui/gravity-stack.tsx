@@ -159,6 +159,11 @@ const IMPACT_NEAR = 72
 /** px that are left when the first of two hits comes, up to which they count as one. */
 const IMPACT_TOUCH = 0.05
 
+/** px: two chips that would miss if they were this much farther apart slide past one another. See D-012. */
+const GRAZE = 0.1
+/** Sine of the angle up to which a motion counts as along a surface. */
+const GRAZE_SLOPE = 0.1
+
 /** px of displacement (rotation included) that a chip may show while it counts as at rest, and s for which it must. */
 const REST_DISTANCE = 0.5
 const REST_TIME = 0.5
@@ -179,6 +184,8 @@ const GRAB_GRAVITY = 500
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 const TOUCH_HOLD = 180
 const TOUCH_DRAG_START = 8
+/** px by which a hand outside of the stage presses its chip against the wall: friction then calms a swinging chip. See D-013. */
+const GRAB_PRESS = 1
 /** px, a little more than a chip that merely hangs there lags behind the pointer. */
 const GRAB_SAG = 4
 /** s of the pointer's way that a throw is fitted to, and px that the grabbed point may be off beside what it trails at that speed. */
@@ -526,7 +533,7 @@ const MAX_DAMPING = 0.5 / STEP
  *
  * In and out through arrays: numbers handed over as arguments would be boxed.
  */
-const touch: Float64Array = new Float64Array(20)
+const touch: Float64Array = new Float64Array(21)
 /** px; from the centre of A to its surface, of B to its surface, separation, feature; then the same of a second point. */
 const AX = 0
 const AY = 1
@@ -548,6 +555,11 @@ const LEAD = 17
 /** px and px/s, gap of a point and the rate at which it opens, left by `probe`. */
 const GAP_NOW = 18
 const RATE_NOW = 19
+/**
+ * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther apart they would
+ * miss. Infinite where the motion is neither along nor against the face.
+ */
+const ACROSS = 20
 
 /** px² and px below which a direction is no direction. */
 const TINY = 1e-12
@@ -685,6 +697,15 @@ function collide(bodies: Bodies, a: number, b: number): void {
   const invE = ee > 0 ? 1 / ee : 0
   const own = onA ? 0 : 4
   const other = onA ? 4 : 0
+  const vx = state[b * STATE + VX] - state[a * STATE + VX]
+  const vy = state[b * STATE + VY] - state[a * STATE + VY]
+  const speed = Math.sqrt(vx * vx + vy * vy)
+  const head = Math.abs(fx * vx + fy * vy)
+  const side = Math.abs(gx * vx + gy * vy)
+  const halves = Math.abs(ex * vy - ey * vx) + half * head
+  const centres = Math.abs((mx - fx * depth) * vy - (my - fy * depth) * vx)
+  const slanted = Math.min(head, side) > GRAZE_SLOPE * speed
+  touch[ACROSS] = slanted ? Infinity : radii + (halves - centres) / speed
   const face = onX ? 0 : 2
   const mine = onA ? AX : BX
   const its = onA ? BX : AX
@@ -723,6 +744,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
         touch[NORMAL_X] = sign * nx
         touch[NORMAL_Y] = sign * ny
         touch[DISTANCE] = distance - radii
+        // A motion along the face sees both sides edge on: the distance of the two corners counts instead.
+        if (!slanted && side > head) touch[ACROSS] = radii - Math.abs(dx * vy - dy * vx) / speed
         // Seen along the normal the two sides may reach back beside each other: where the shorter one ends is a second point, as
         // what lies nearly in line may meet there next.
         const backU = s * (ux * ny - uy * nx)
@@ -868,6 +891,14 @@ function collideWall(bodies: Bodies, walls: Walls, b: number, wall: number): voi
 
 // grab: the soft point constraint of a held chip ────────────────────────────────────────────────────────────
 
+/** What a hand is told of its scene. */
+interface Surroundings {
+  bodies: Bodies
+  walls: Walls
+  gravity: number
+  h: number
+}
+
 /**
  * The soft point constraint of a held chip: a damped spring from the grabbed point to the pointer, solved implicitly
  * (soft constraint after Box2D v3), with a limit to its force, so that a chip pressed into the pile can't crush it.
@@ -880,6 +911,9 @@ interface Hold {
   /** Where the pointer is, and where it was lately. */
   x: number
   y: number
+  /** The place nearest to the pointer that the grabbed point can reach within walls and floor. */
+  targetX: number
+  targetY: number
   samples: { x: number; y: number; seconds: number }[]
   /** s simulated since the pointer last moved. */
   idle: number
@@ -903,6 +937,8 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
     localY: c * dy - s * dx,
     x,
     y,
+    targetX: x,
+    targetY: y,
     samples: [],
     idle: 0,
     impulseX: 0,
@@ -912,25 +948,33 @@ function createHold(bodies: Bodies, body: number, x: number, y: number): Hold {
   }
 }
 
-/** px, from the centre of the held body to the grabbed point, as `findArm` left it. */
+/** px, from the centre of the held body to the grabbed point, as `aim` left it. */
 const arm: Float64Array = new Float64Array(2)
 
-function findArm({ state, motion }: Bodies, { body, localX, localY }: Hold): void {
-  turn(state, motion, body)
+/** Finds the arm and the target of `hold` at the body's present angle. Upwards every place is in reach: there is no ceiling. */
+function aim({ bodies, walls }: Surroundings, hold: Hold): void {
+  const { motion, shape } = bodies
+  const { body, localX, localY } = hold
+  halfExtents(bodies, body, 0, 0)
   const cos = motion[body * MOTION + COS]
   const sin = motion[body * MOTION + SIN]
   arm[0] = cos * localX - sin * localY
   arm[1] = sin * localX + cos * localY
+  const left = extents[X] - GRAB_PRESS
+  const right = Math.max(left, farWall(shape, body, walls.width) - left)
+  hold.targetX = arm[0] + Math.min(Math.max(hold.x - arm[0], left), right)
+  hold.targetY = arm[1] + Math.min(hold.y - arm[1], walls.height - extents[Y] + GRAB_PRESS)
 }
 
-/** Prepares the constraint for a sub-step of `h` seconds. */
-function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
+/** Prepares the constraint for a sub-step. */
+function prepareHold(scene: Surroundings, hold: Hold): void {
+  const { bodies, h } = scene
   const at = hold.body * STATE
   const angle = bodies.state[at + ANGLE]
   // The arm is that at the end of the sub-step, as at a wall: with the one before, a chip that the hand pulls against one rocks ever faster.
   bodies.state[at + ANGLE] +=
     h * (bodies.state[at + SPIN] + 0.5 * bodies.motion[hold.body * MOTION + PUSH_SPIN])
-  findArm(bodies, hold)
+  aim(scene, hold)
   bodies.state[at + ANGLE] = angle
   hold.idle += h
   // In the hand it has no memory of what it rolled on: else it would hang askew.
@@ -943,12 +987,12 @@ function prepareHold(bodies: Bodies, hold: Hold, h: number): void {
 }
 
 /** px by which the hand may pull its chip further within a step than it goes by itself; nothing while it merely hangs there. */
-function pull(bodies: Bodies, hold: Hold, gravity: number): number {
+function pull(scene: Surroundings, hold: Hold): number {
   const i = hold.body * STATE
-  const s = bodies.state
-  findArm(bodies, hold)
-  const away = Math.abs(s[i + X] + arm[0] - hold.x) + Math.abs(s[i + Y] + arm[1] - hold.y)
-  return Math.max(0, Math.min(away - GRAB_SAG, strength(gravity) * STEP * STEP))
+  const s = scene.bodies.state
+  aim(scene, hold)
+  const away = Math.abs(s[i + X] + arm[0] - hold.targetX) + Math.abs(s[i + Y] + arm[1] - hold.targetY)
+  return Math.max(0, Math.min(away - GRAB_SAG, strength(scene.gravity) * STEP * STEP))
 }
 
 /** px/s², the most by which a hand accelerates its chip. */
@@ -977,8 +1021,8 @@ function solveHold(bodies: Bodies, hold: Hold, h: number, gravity: number): void
   const a1 = 2 * GRAB_DAMPING + h * omega
   const a2 = h * omega * a1
   const soft = 1 / (1 + a2)
-  const vx = s[i + VX] - s[i + SPIN] * ry + (omega / a1) * (s[i + X] + rx - hold.x)
-  const vy = s[i + VY] + s[i + SPIN] * rx + (omega / a1) * (s[i + Y] + ry - hold.y)
+  const vx = s[i + VX] - s[i + SPIN] * ry + (omega / a1) * (s[i + X] + rx - hold.targetX)
+  const vy = s[i + VY] + s[i + SPIN] * rx + (omega / a1) * (s[i + Y] + ry - hold.targetY)
   const k11 = m + n * ry * ry
   const k12 = -n * rx * ry
   const k22 = m + n * rx * rx
@@ -1019,7 +1063,8 @@ function recordHold(hold: Hold, x: number, y: number, seconds: number): void {
  * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; below
  * `THROW_SPEED` the less of that, the slower, as what swings below a hand that stands still swings on. Another hand that still holds the body decides alone.
  */
-function throwVelocity(bodies: Bodies, hold: Hold): void {
+function throwVelocity(scene: Surroundings, hold: Hold): void {
+  const { bodies } = scene
   const s = bodies.state
   const i = hold.body * STATE
   const samples = hold.samples
@@ -1040,17 +1085,20 @@ function throwVelocity(bodies: Bodies, hold: Hold): void {
     if (tt > 1e-5) {
       const vx = tx / tt
       const vy = ty / tt
-      findArm(bodies, hold)
-      const offX = s[i + X] + arm[0] - hold.x
-      const offY = s[i + Y] + arm[1] - hold.y
+      aim(scene, hold)
+      const x = s[i + X] + arm[0]
+      const y = s[i + Y] + arm[1]
       // A damped spring trails its target by 2ζ/ω s. A body that is farther behind by half as much again is stuck: the pointer's speed is not its own.
       const trail = (1.5 * 2 * GRAB_DAMPING) / (2 * Math.PI * GRAB_HERTZ)
       const speed = Math.sqrt(vx * vx + vy * vy)
-      if (Math.sqrt(offX * offX + offY * offY) < THROW_SLACK + trail * speed) {
-        const share = Math.min(1, speed / THROW_SPEED)
-        s[i + VX] += share * (vx - s[i + VX])
-        s[i + VY] += share * (vy - s[i + VY])
-      }
+      const near = (toX: number, toY: number) =>
+        Math.sqrt((x - toX) * (x - toX) + (y - toY) * (y - toY)) < THROW_SLACK + trail * speed
+      const share = Math.min(1, speed / THROW_SPEED)
+      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the wall only.
+      const close = near(hold.x, hold.y)
+      const level = near(hold.targetX, hold.targetY)
+      if (close || (level && hold.targetX === hold.x)) s[i + VX] += share * (vx - s[i + VX])
+      if (close || (level && hold.targetY === hold.y)) s[i + VY] += share * (vy - s[i + VY])
     }
   }
   capSpeed(s, i, MAX_TOSS)
@@ -1260,6 +1308,17 @@ function carry({ bodies, contacts }: Scene, c: number, sign: number): void {
 }
 
 /**
+ * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The corner of a box
+ * sags a little into the surface that it slides on: it would trip over the side of the next box in a level row.
+ */
+function grazes({ state }: Bodies, a: number, b: number): boolean {
+  const vx = state[b * STATE + VX] - state[a * STATE + VX]
+  const vy = state[b * STATE + VY] - state[a * STATE + VY]
+  const approach = -touch[NORMAL_X] * vx - touch[NORMAL_Y] * vy
+  return touch[ACROSS] < GRAZE && approach > GRAZE_SLOPE * Math.sqrt(vx * vx + vy * vy)
+}
+
+/**
  * Measures contact `c` afresh at the present poses: arms, separations, masses. Impulses stay with the points that made
  * them; those of a point that is gone go to the one that is left. The gap, px, is left in `touch`.
  */
@@ -1270,10 +1329,14 @@ function measure(scene: Scene, c: number): void {
   const { state, motion } = bodies
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
+  const load1 = contacts.data[c * CONTACT + LOAD]
+  const load2 = contacts.data[c * CONTACT + SECOND + LOAD]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where the velocity has to be right.
   const turned = a > 0 ? 0 : touch[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + PUSH_SPIN])
-  if (a > 0) collide(bodies, a, b)
-  else {
+  if (a > 0) {
+    collide(bodies, a, b)
+    if (load1 + load2 === 0 && grazes(bodies, a, b)) touch[COUNT] = 0
+  } else {
     state[b * STATE + ANGLE] = angleB + turned
     collideWall(bodies, scene.walls, b, contacts.wall[c])
     state[b * STATE + ANGLE] = angleB
@@ -1281,8 +1344,6 @@ function measure(scene: Scene, c: number): void {
   const d = contacts.data
   const k = c * CONTACT
   const had = d[k + POINTS]
-  const load1 = d[k + LOAD]
-  const load2 = d[k + SECOND + LOAD]
   const loaded = load1 + load2 > 0
   const torque = d[k + NB] * load1 + d[k + SECOND + NB] * load2 + d[k + TB] * d[k + DRAG]
   if (loaded || d[k + LAG] !== 0) carry(scene, c, -1)
@@ -2653,8 +2714,7 @@ function findIslands(islands: Islands, scene: Scene): void {
     parent[awake[n]] = awake[n]
     reach[awake[n]] = asked[awake[n]] = 0
   }
-  for (const hold of scene.holds)
-    reach[hold.body] = Math.max(reach[hold.body], pull(scene.bodies, hold, scene.gravity))
+  for (const hold of scene.holds) reach[hold.body] = Math.max(reach[hold.body], pull(scene, hold))
   islands.nearCount = 0
   islands.struckCount = 0
   gather(islands, scene, false)
@@ -2988,7 +3048,7 @@ function solve(simulation: Simulation, b0: number, b1: number, c0: number, c1: n
     clearImpacts(impacts)
     if (n > 0) tally(bodies, islands.bodies, b0, b1, AHEAD * h)
     end = prepare(simulation, impacts, sorted, live, c0, c1)
-    for (let g = 0; g < grabbed.length; g++) prepareHold(bodies, grabbed[g]!, h)
+    for (let g = 0; g < grabbed.length; g++) prepareHold(simulation, grabbed[g]!)
     kick(simulation, islands.bodies, b0, b1, air, spinAir)
     const solved = converge(simulation, grabbed, b0, b1, c0, end)
     const active = move(simulation, islands.bodies, b0, b1)
@@ -3465,7 +3525,7 @@ function createWorld(options: WorldOptions) {
           scene.revision++
           holds.splice(n, 1)
           bodies.held[id]--
-          throwVelocity(bodies, hold)
+          throwVelocity(scene, hold)
           // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
           for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
             contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
