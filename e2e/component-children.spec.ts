@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { chipDistance, stageDistance } from '../scenes/exact-distance'
+import { chipDistance, stageDistance, worstOverlap } from '../scenes/exact-distance'
 import { expect, type StagePage, test } from './fixtures/stage'
 
 /** Where each chip lies, by its text. */
@@ -279,6 +279,42 @@ test('a text that comes in front of others is a chip of its own, and theirs stay
   await page.locator('#next').click()
   await expect.poll(marked).toEqual(['second second', 'third third'])
 })
+
+for (const react of ['18', '19'])
+  test(`on a translated page chips of mere words keep the corners that a rule gives them, and show words that change (React ${react})`, async ({
+    stage,
+    page,
+  }) => {
+    await stage.settled('surroundings', { kind: 'words', react })
+    // As browsers do it: each text gives way to elements of theirs, with another text in them.
+    const translate = () =>
+      stage.chips.evaluateAll((all) => {
+        for (const chip of all)
+          for (const text of [...chip.childNodes].filter((node) => node.nodeType === Node.TEXT_NODE)) {
+            const inner = document.createElement('font')
+            inner.textContent = `${text.textContent} translated`
+            const outer = document.createElement('font')
+            outer.append(inner)
+            text.replaceWith(outer)
+          }
+      })
+    const corners = () =>
+      stage.chips.evaluateAll((all) => all.map((chip) => getComputedStyle(chip).borderRadius))
+    await translate()
+    await expect(stage.chips).toHaveText(['word translated', '1 translated', 'same translated'])
+    await stage.reaches('running')
+    await stage.reaches('resting')
+    expect(await corners()).toEqual(Array(3).fill('10px'))
+    const { shapes, poses, stage: room } = await stage.pile()
+    const drawn = shapes.map((shape) => ({ ...shape, radius: 10 }))
+    expect(worstOverlap(drawn, poses, room)).toBeLessThan(1)
+
+    await page.locator('#next').click()
+    await expect(stage.chips).toHaveText(['a longer word', '2', 'same translated'])
+    await translate()
+    await stage.reaches('resting')
+    expect(await corners()).toEqual(Array(3).fill('10px'))
+  })
 
 test('drop() goes by the order of the children, not by when they came', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'front' })

@@ -1,5 +1,5 @@
 import type { Page } from '@playwright/test'
-import { expect, type StagePage, test } from './fixtures/stage'
+import { expect, StagePage, test } from './fixtures/stage'
 
 declare global {
   interface Window {
@@ -27,6 +27,18 @@ for (const react of ['18', '19']) {
       await stage.reaches('running')
       await stage.reaches('resting')
       await expect(page.locator('#settled')).toHaveText('2')
+    })
+
+    test('children that have not come yet, as async server components, are chips once they have', async ({
+      stage,
+      page,
+    }) => {
+      await stage.settled('surroundings', { react, kind: 'late' })
+      await expect(stage.chips).toHaveText(['alone'])
+      const second = new StagePage(page, page.locator('[data-slot=gravity-stack]').nth(1))
+      await expect(second.chips).toHaveText(['first', 'alone', 'one of two', 'two of two'])
+      await second.reaches('resting')
+      expect(await second.overlap()).toBeLessThan(1)
     })
 
     test('children come and go', async ({ stage, page }) => {

@@ -21,10 +21,14 @@ export interface Chip extends Release {
 
 /** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
 export function look(chip: Chip, changes: MutationObserver) {
-  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn.
+  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn. Mere words have none.
   let face: CSSStyleDeclaration | undefined
   let next: Element | null
-  for (let child = chip.element.firstElementChild; child; child = next) {
+  for (
+    let child = chip.element.matches('[data-words]') ? null : chip.element.firstElementChild;
+    child;
+    child = next
+  ) {
     const style = getComputedStyle(child)
     // One without a box of its own is drawn as what is in it.
     next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling

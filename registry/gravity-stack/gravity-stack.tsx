@@ -62,12 +62,22 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** A text, or a portal, in the place of an element: React then gives it a key by its slot among the children. */
+/** Stands for a text, or a portal, among elements: React then gives it a key by its slot among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
+
+/** What React wraps a child in that has not come yet, such as an async server component; `_init` throws a promise until then. */
+type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
+
+/** Children without such wraps: `React.Children` takes them off from React 19 on, and throws at them before. */
+function unwrapped(children: React.ReactNode): React.ReactNode {
+  if (Array.isArray(children)) return children.map(unwrapped)
+  const { _init, _payload } = Object(children) as Late
+  return _init ? unwrapped(_init(_payload)) : children
+}
 
 /** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
-  const all: React.ReactNode[] | null | undefined = React.Children.map(children, (child) => {
+  const all: React.ReactNode[] | null | undefined = React.Children.map(unwrapped(children), (child) => {
     if (child === null || React.isValidElement(child)) return child
     // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
     return typeof child === 'object' || String(child).trim() ? <Words>{child}</Words> : null
@@ -75,7 +85,9 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   return (all ?? []).flatMap((child): [string, React.ReactNode][] => {
     const { key: own, type, props } = child as React.ReactElement<React.PropsWithChildren>
     const key = `${path}/${own}`
-    return type === React.Fragment ? chipsOf(props.children, key) : [[key, child]]
+    return type === React.Fragment
+      ? chipsOf(props.children, key)
+      : [[key, type === Words ? props.children : child]]
   })
 }
 
@@ -158,6 +170,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
           key={key}
           data-slot="gravity-stack-chip"
           data-state="waiting"
+          // What a translator or an extension puts into mere words is not what they are drawn on.
+          data-words={typeof child === 'object' ? undefined : ''}
           // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
           // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
           // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
@@ -174,8 +188,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
-          {/* Alone it would be asked for no key, in a list that has none. */}
-          {[child]}
+          {/* An element alone would be asked for no key, in a list that has none. Words alone React writes anew after a translator. */}
+          {typeof child === 'object' ? [child] : child}
         </div>
       ))}
     </div>
