@@ -40,9 +40,9 @@ describe('the one file', () => {
       'release-queue',
       'look-ahead',
       'input',
-      'loop',
       'pointers',
       'view',
+      'loop',
       'stage',
       'component',
     ])
