@@ -27,6 +27,7 @@ const headings = {
   step: 'one step of all that is awake',
   simulation: 'what the stage calls',
   drop: 'where and when each chip starts',
+  kick: 'hops and shakes',
   'release-queue': 'whose turn it is, and the clock of the stage',
   'look-ahead': 'how each chip will lie, before anyone sees it',
   input: 'what a caller may pass, and what stands in for the rest',

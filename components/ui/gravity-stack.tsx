@@ -3740,6 +3740,34 @@ function releasePose(
   }
 }
 
+// kick: hops and shakes ─────────────────────────────────────────────────────────────────────────────────────
+
+/** px/s² of the least gravity that kicks are made for. */
+const KICK_GRAVITY = 100
+/** Share of a kick's speed that goes aside at most. With twice as much every third of 15 shaken chips rolls onto its head as it lands. */
+const KICK_ASIDE = 0.15
+
+/**
+ * The kick with this number: velocity (px/s) that sends a chip about `height` px up, a little aside, and the spin (rad/s) with which a
+ * chip drawn at `angle` is upright again when it comes down.
+ */
+function kickOf(number: number, height: number, gravity: number, angle: number) {
+  const either = (channel: number) => 2 * scatter(number, channel) - 1
+  const pull = Math.max(gravity, KICK_GRAVITY)
+  const speed = Math.sqrt(2 * height * pull)
+  const vy = speed * (0.1 * either(2) - 0.9)
+  const flight = (-2 * vy) / pull
+  // What the air leaves of the spin, over the flight: (1 − e⁻ˣ) / x to within a thousandth.
+  const drag = ANGULAR_DAMPING * flight
+  const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
+  const whole = 2 * Math.PI
+  return {
+    vx: KICK_ASIDE * speed * either(1),
+    vy,
+    spin: (whole * Math.round(angle / whole) - angle) / turning,
+  }
+}
+
 // chip: how a chip looks, and how it is drawn ───────────────────────────────────────────────────────────────
 
 // From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
@@ -4429,9 +4457,6 @@ const VISIBLE = 0.0121
 const HOP = 36
 /** px, how high a shake throws at most. */
 const SHAKE = 230
-/** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
-const KICK_GRAVITY = 100
-const KICK_TWIST = 0.007
 /** s that the first release waits at most for how its chips will lie to be known. */
 const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
@@ -4972,17 +4997,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     world.eachMoved(paint)
   }
 
-  /** Sends a chip about `height` px up, a little aside and spinning. */
+  /** Sends a chip about `height` px up. */
   function kick(chip: Chip, height: number) {
-    const speed = Math.sqrt(2 * height * Math.max(options.gravity, KICK_GRAVITY))
-    const either = (channel: number) => 2 * scatter(kicks, channel) - 1
-    kicks++
     fetched = false
-    world!.place(chip.id, {
-      vx: 0.3 * speed * either(1),
-      vy: speed * (0.1 * either(2) - 0.9),
-      spin: KICK_TWIST * speed * either(3),
-    })
+    world!.place(chip.id, kickOf(kicks++, height, options.gravity, chip.angle))
   }
 
   return {

@@ -1,7 +1,8 @@
 import { type Chip, draw, halfHeight, look, round, tellAngle } from './chip'
 import { STEP } from './constants'
-import { reach, scatter } from './drop'
+import { reach } from './drop'
 import { LIMITS, sane, warn, written } from './input'
+import { kickOf } from './kick'
 import { createLookAhead, uprightTurn } from './look-ahead'
 import { createLoop } from './loop'
 import { createPointers, FIRST, hearing } from './pointers'
@@ -24,9 +25,6 @@ const VISIBLE = 0.0121
 const HOP = 36
 /** px, how high a shake throws at most. */
 const SHAKE = 230
-/** px/s² of the least gravity that hops and shakes are made for, and rad/s of spin for each px/s. */
-const KICK_GRAVITY = 100
-const KICK_TWIST = 0.007
 /** s that the first release waits at most for how its chips will lie to be known. */
 const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
@@ -567,17 +565,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     world.eachMoved(paint)
   }
 
-  /** Sends a chip about `height` px up, a little aside and spinning. */
+  /** Sends a chip about `height` px up. */
   function kick(chip: Chip, height: number) {
-    const speed = Math.sqrt(2 * height * Math.max(options.gravity, KICK_GRAVITY))
-    const either = (channel: number) => 2 * scatter(kicks, channel) - 1
-    kicks++
     fetched = false
-    world!.place(chip.id, {
-      vx: 0.3 * speed * either(1),
-      vy: speed * (0.1 * either(2) - 0.9),
-      spin: KICK_TWIST * speed * either(3),
-    })
+    world!.place(chip.id, kickOf(kicks++, height, options.gravity, chip.angle))
   }
 
   return {
