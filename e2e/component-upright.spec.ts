@@ -2,6 +2,7 @@ import type { Page } from '@playwright/test'
 import { takeFrames } from './fixtures/frames'
 import { expect, type StagePage, test } from './fixtures/stage'
 import { keepWaits } from './fixtures/time'
+import { withhold } from './page'
 
 /** Words of a pile that are drawn upside down, and the most that a disc is off, degrees. A chip on its side is neither. */
 async function fallen(stage: StagePage) {
@@ -221,4 +222,44 @@ test('of 15 words that are shaken again and again at most one in five comes down
     down += (await fallen(stage)).words
   }
   expect(down / (8 * 15)).toBeLessThanOrEqual(0.2)
+})
+
+test('with `initial={false}` the row stands until the pile lies there: the pile of a drop, words the right way up', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 20, shape: 'all' })
+  const dropped = await stage.pile()
+  const letCome = await withhold(page, '**/client-*.js')
+  await page.goto('/pile?chips=20&shape=all&initial=false', { waitUntil: 'commit' })
+  await expect(stage.chips.nth(19)).toBeVisible()
+  const row = await stage.chips.evaluateAll((all) => all.map((chip) => chip.getBoundingClientRect().y))
+  const { y, height } = (await stage.root.boundingBox())!
+  for (const top of row) expect(top).toBeGreaterThan(y)
+  expect(Math.max(...row)).toBeLessThan(y + height)
+  letCome()
+  await stage.reaches('resting')
+  const { poses } = await stage.pile()
+  for (const [i, { x, y }] of poses.entries())
+    expect(Math.hypot(x - dropped.poses[i].x, y - dropped.poses[i].y), `chip ${i}`).toBeLessThan(0.3)
+  expect((await fallen(stage)).words).toBe(0)
+  expect(await stage.overlap()).toBeLessThan(1)
+  const { states, frames } = await stage.probe(({ states, frames }) => ({ states, frames }))
+  expect(states).toEqual(['waiting', 'resting'])
+  expect(frames).toBe(0)
+})
+
+test('a pile that lay there from the start can be grabbed, shaken and rests again', async ({
+  stage,
+  page,
+}) => {
+  await stage.settled('pile', { chips: 8, initial: false, shaker: true })
+  await stage.drag(stage.chips.first(), 0, -100)
+  await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')
+  await page.mouse.up()
+  await stage.reaches('resting')
+  await page.getByRole('button', { name: 'Shake' }).click()
+  await stage.reaches('running')
+  await stage.reaches('resting')
+  expect(await stage.overlap()).toBeLessThan(1)
 })

@@ -4457,6 +4457,8 @@ const VISIBLE = 0.0121
 const HOP = 36
 /** px, how high a shake throws at most. */
 const SHAKE = 230
+/** s after the last release that a pile which lies there from the start is given to come to rest. */
+const LONGEST_SETTLING = 20
 /** s that the first release waits at most for how its chips will lie to be known. */
 const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
@@ -4467,6 +4469,8 @@ interface StageOptions {
   stagger?: number | undefined
   interactive: boolean
   upright: boolean
+  /** False: what is there at first lies there, and does not fall. */
+  initial: boolean
   onSettle?: (() => void) | undefined
 }
 
@@ -4506,6 +4510,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   let state = 'static'
   /** Running or resting: people may touch it. */
   let live = false
+  /** Whether the pile is still being made that lies there from the start. */
+  let making = false
   /** Whether it is worth to know how chips will lie: before and during a drop. */
   let planning = false
   let started = false
@@ -4681,9 +4687,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   // Releases
 
   function begin() {
+    making = !world && !options.initial
     world = createWorld({ width, height, ...options })
     bodies = []
-    queue.restart(options.upright ? -HEAD_START : 0)
+    queue.restart(options.upright && !making ? -HEAD_START : 0)
     idleSince = undefined
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
@@ -4836,7 +4843,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     const idle = world?.resting
     const next = still.matches
       ? 'static'
-      : !started || !world
+      : !started || !world || making
         ? 'waiting'
         : pausing.current
           ? 'paused'
@@ -4857,7 +4864,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     live = running || next === 'resting'
     idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
     if (!live) pointers.letGo()
-    planning = !!options.upright && !!world && (running || next === 'waiting')
+    planning = !!world && (making || options.upright) && (running || next === 'waiting')
     plan()
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
@@ -4883,13 +4890,40 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** Has the look-ahead go on outside of the frame, while there are chips that can still be turned. */
   function plan() {
-    if (!planning || !(queue.chips.length || bodies.some(({ turned }) => !turned))) lookAhead.end()
+    const left = making || queue.chips.length || bodies.some(({ turned }) => !turned)
+    if (!planning || !left) lookAhead.end()
     else planned ??= setTimeout(lookOn)
+  }
+
+  /** Lets the drop pass slice by slice, as nobody sees it: the row stands until all lie still. */
+  function make() {
+    const end = performance.now() + LOOK_SLICE
+    while (queue.chips[0] || (!world!.resting && queue.clock < queue.latest + LONGEST_SETTLING)) {
+      if (performance.now() > end) return plan()
+      advance(queue.clock + STEP)
+    }
+    for (const chip of bodies) {
+      if (!chip) continue
+      chip.turned = true
+      world!.readInto(chip.id, motion)
+      if (options.upright) chip.turn = uprightTurn(chip, motion[2]!)
+    }
+    show()
+    world!.eachMoved(paint)
+    sync()
+  }
+
+  /** The row gives way to the pile. */
+  function show() {
+    making = false
+    started = true
+    root.removeAttribute('data-row')
   }
 
   function lookOn() {
     planned = undefined
     if (!planning) return
+    if (making) return make()
     if (!lookAhead.advance({ world: world!, chips: bodies }, queue, width, options.gravity)) {
       // Where no frame brings the next slice.
       if (world!.resting) plan()
@@ -5007,7 +5041,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     update(next) {
       const before = options
       options = { ...next } as typeof options
-      for (const name of ['interactive', 'upright'] as const)
+      for (const name of ['interactive', 'upright', 'initial'] as const)
         if (process.env.NODE_ENV !== 'production' && typeof next[name] !== 'boolean')
           warn(
             `${name} is ${written(next[name])}, which is neither true nor false, so it counts as ${!!next[name]}. Pass true or false.`,
@@ -5036,13 +5070,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     drop() {
       if (!world || !seenOnce || still.matches) return
       pointers.letGo()
-      started = true
+      show()
       pausing.current = false
       begin()
       sync()
     },
     shake() {
-      if (still.matches) return
+      if (still.matches || making) return
       bodies.forEach((chip) => {
         kick(chip, SHAKE)
       })
@@ -5123,6 +5157,12 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   upright?: boolean | undefined
+  /**
+   * `false` leaves out the drop: the pile lies there as soon as it is known, and until then the chips stand in a row. For pages that
+   * people come back to. Read once; `drop()` lets the chips fall all the same.
+   * @default true
+   */
+  initial?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
@@ -5182,6 +5222,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
     stagger,
     interactive = true,
     upright = true,
+    initial = true,
     className,
     friction,
     onSettle,
@@ -5193,6 +5234,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const root = React.useRef<HTMLDivElement>(null)
   const stage = React.useRef<Stage | null>(null)
   const pausing = React.useRef(false)
+  const [falls] = React.useState(initial)
 
   React.useEffect(() => {
     // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
@@ -5204,7 +5246,16 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({ gravity, bounce, friction, stagger, interactive, upright, onSettle })
+    stage.current?.update({
+      gravity,
+      bounce,
+      friction,
+      stagger,
+      interactive,
+      upright,
+      initial: falls,
+      onSettle,
+    })
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])
@@ -5227,6 +5278,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
+      // The stage takes it away once the pile is there.
+      data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
@@ -5236,6 +5289,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
         // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
+        !falls && 'data-row:p-4',
         className,
       )}
     >
@@ -5258,6 +5312,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+            !falls &&
+              'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}

@@ -49,6 +49,12 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    * @default true
    */
   upright?: boolean | undefined
+  /**
+   * `false` leaves out the drop: the pile lies there as soon as it is known, and until then the chips stand in a row. For pages that
+   * people come back to. Read once; `drop()` lets the chips fall all the same.
+   * @default true
+   */
+  initial?: boolean | undefined
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
@@ -108,6 +114,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
     stagger,
     interactive = true,
     upright = true,
+    initial = true,
     className,
     friction,
     onSettle,
@@ -119,6 +126,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const root = React.useRef<HTMLDivElement>(null)
   const stage = React.useRef<Stage | null>(null)
   const pausing = React.useRef(false)
+  const [falls] = React.useState(initial)
 
   React.useEffect(() => {
     // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
@@ -130,7 +138,16 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({ gravity, bounce, friction, stagger, interactive, upright, onSettle })
+    stage.current?.update({
+      gravity,
+      bounce,
+      friction,
+      stagger,
+      interactive,
+      upright,
+      initial: falls,
+      onSettle,
+    })
   })
 
   React.useImperativeHandle(ref, () => root.current!, [])
@@ -153,6 +170,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
+      // The stage takes it away once the pile is there.
+      data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
@@ -162,6 +181,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
         // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
+        !falls && 'data-row:p-4',
         className,
       )}
     >
@@ -184,6 +204,8 @@ export const GravityStack: React.ForwardRefExoticComponent<
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
             'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
             '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+            !falls &&
+              'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
             interactive &&
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}

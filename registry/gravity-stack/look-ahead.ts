@@ -9,7 +9,7 @@ import { createWorld } from './simulation'
 /** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
 const FORESIGHT = 3
 /** ms of one slice of this work. */
-const LOOK_SLICE = 4
+export const LOOK_SLICE = 4
 
 type Outline = Pick<Release, 'width' | 'height' | 'radius'>
 

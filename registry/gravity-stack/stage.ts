@@ -3,7 +3,7 @@ import { STEP } from './constants'
 import { reach } from './drop'
 import { LIMITS, sane, warn, written } from './input'
 import { kickOf } from './kick'
-import { createLookAhead, uprightTurn } from './look-ahead'
+import { createLookAhead, LOOK_SLICE, uprightTurn } from './look-ahead'
 import { createLoop } from './loop'
 import { createPointers, FIRST, hearing } from './pointers'
 import { addReleased, createReleaseQueue } from './release-queue'
@@ -25,6 +25,8 @@ const VISIBLE = 0.0121
 const HOP = 36
 /** px, how high a shake throws at most. */
 const SHAKE = 230
+/** s after the last release that a pile which lies there from the start is given to come to rest. */
+const LONGEST_SETTLING = 20
 /** s that the first release waits at most for how its chips will lie to be known. */
 const HEAD_START = 0.25
 /** What the component was given; whatever a caller wrote. */
@@ -35,6 +37,8 @@ export interface StageOptions {
   stagger?: number | undefined
   interactive: boolean
   upright: boolean
+  /** False: what is there at first lies there, and does not fall. */
+  initial: boolean
   onSettle?: (() => void) | undefined
 }
 
@@ -74,6 +78,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   let state = 'static'
   /** Running or resting: people may touch it. */
   let live = false
+  /** Whether the pile is still being made that lies there from the start. */
+  let making = false
   /** Whether it is worth to know how chips will lie: before and during a drop. */
   let planning = false
   let started = false
@@ -249,9 +255,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
   // Releases
 
   function begin() {
+    making = !world && !options.initial
     world = createWorld({ width, height, ...options })
     bodies = []
-    queue.restart(options.upright ? -HEAD_START : 0)
+    queue.restart(options.upright && !making ? -HEAD_START : 0)
     idleSince = undefined
     // In the order of the children, however they came.
     for (const element of Array.from(root.children)) {
@@ -404,7 +411,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     const idle = world?.resting
     const next = still.matches
       ? 'static'
-      : !started || !world
+      : !started || !world || making
         ? 'waiting'
         : pausing.current
           ? 'paused'
@@ -425,7 +432,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     live = running || next === 'resting'
     idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
     if (!live) pointers.letGo()
-    planning = !!options.upright && !!world && (running || next === 'waiting')
+    planning = !!world && (making || options.upright) && (running || next === 'waiting')
     plan()
     if (next === state) return
     const settled = state === 'running' && next === 'resting'
@@ -451,13 +458,40 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Has the look-ahead go on outside of the frame, while there are chips that can still be turned. */
   function plan() {
-    if (!planning || !(queue.chips.length || bodies.some(({ turned }) => !turned))) lookAhead.end()
+    const left = making || queue.chips.length || bodies.some(({ turned }) => !turned)
+    if (!planning || !left) lookAhead.end()
     else planned ??= setTimeout(lookOn)
+  }
+
+  /** Lets the drop pass slice by slice, as nobody sees it: the row stands until all lie still. */
+  function make() {
+    const end = performance.now() + LOOK_SLICE
+    while (queue.chips[0] || (!world!.resting && queue.clock < queue.latest + LONGEST_SETTLING)) {
+      if (performance.now() > end) return plan()
+      advance(queue.clock + STEP)
+    }
+    for (const chip of bodies) {
+      if (!chip) continue
+      chip.turned = true
+      world!.readInto(chip.id, motion)
+      if (options.upright) chip.turn = uprightTurn(chip, motion[2]!)
+    }
+    show()
+    world!.eachMoved(paint)
+    sync()
+  }
+
+  /** The row gives way to the pile. */
+  function show() {
+    making = false
+    started = true
+    root.removeAttribute('data-row')
   }
 
   function lookOn() {
     planned = undefined
     if (!planning) return
+    if (making) return make()
     if (!lookAhead.advance({ world: world!, chips: bodies }, queue, width, options.gravity)) {
       // Where no frame brings the next slice.
       if (world!.resting) plan()
@@ -575,7 +609,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     update(next) {
       const before = options
       options = { ...next } as typeof options
-      for (const name of ['interactive', 'upright'] as const)
+      for (const name of ['interactive', 'upright', 'initial'] as const)
         if (process.env.NODE_ENV !== 'production' && typeof next[name] !== 'boolean')
           warn(
             `${name} is ${written(next[name])}, which is neither true nor false, so it counts as ${!!next[name]}. Pass true or false.`,
@@ -604,13 +638,13 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     drop() {
       if (!world || !seenOnce || still.matches) return
       pointers.letGo()
-      started = true
+      show()
       pausing.current = false
       begin()
       sync()
     },
     shake() {
-      if (still.matches) return
+      if (still.matches || making) return
       bodies.forEach((chip) => {
         kick(chip, SHAKE)
       })
