@@ -3,7 +3,7 @@ import * as React from 'react'
 import * as runtime from 'react/jsx-runtime'
 import * as ReactDOM from 'react-dom'
 import { at } from '@/lib/address'
-import { siteUrl } from '@/site.config.mjs'
+import { siteUrl, version } from '@/site.config.mjs'
 import { Changelog } from './changelog'
 import { Command } from './command'
 import { ComponentPreview } from './component-preview'
@@ -86,6 +86,12 @@ const components: Record<string, unknown> = {
   Command,
   AddNamespace: () => (
     <Command label="namespace" run={`shadcn@latest registry add @liten=${siteUrl}/r/{name}.json`} />
+  ),
+  PinVersion: () => (
+    <Command
+      label="this version"
+      run={`shadcn@latest registry add @liten=${siteUrl}/r/${version}/{name}.json`}
+    />
   ),
   AddCommand: ({ name }: { name: string }) => (
     <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs'
 import { expect, type Page } from '@playwright/test'
 import { registryItemSchema } from 'shadcn/schema'
+import { releases } from '../scripts/releases.mjs'
 import { addressed } from '../site.config.mjs'
 import { docs, pages, test } from './page'
 
@@ -199,6 +200,29 @@ test('llms.txt and the sitemap list every page, and llms-full.txt holds the sour
   const full = await (await request.get('/llms-full.txt')).text()
   const file = addressed(readFileSync('components/ui/gravity-stack.tsx', 'utf8'))
   expect(full.includes(file.trim())).toBe(true)
+})
+
+test('a feed announces each released version, with what is new and a link to it', async ({
+  page,
+  baseURL,
+}) => {
+  await page.goto('/docs/changelog')
+  const feed = page.locator('link[type="application/rss+xml"]')
+  await expect(feed).toHaveAttribute('href', `${baseURL}/changelog.xml`)
+  const items = await page.evaluate(async () => {
+    const parsed = new DOMParser().parseFromString(await (await fetch('/changelog.xml')).text(), 'text/xml')
+    return [...parsed.querySelectorAll('item')].map((item) =>
+      ['title', 'link', 'pubDate', 'description'].map((name) => item.querySelector(name)?.textContent ?? ''),
+    )
+  })
+  expect(items.map(([title]) => title)).toEqual(
+    Object.keys(releases).map((version) => `Gravity Stack ${version}`),
+  )
+  const [, link, date, description] = items.at(-1)!
+  expect(date).toBe('Sat, 28 Nov 2026 00:00:00 GMT')
+  expect(description).toContain('<li>Each child collides as what it is')
+  await page.goto(link)
+  await expect(page.getByRole('heading', { name: '0.1.0' })).toBeInViewport()
 })
 
 test('the registry may be read from any site, and what never changes is asked for once', async ({

@@ -1,7 +1,7 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { ours } from '@/bench/report'
-import { siteUrl } from '@/site.config.mjs'
+import { siteUrl, version } from '@/site.config.mjs'
 import { docs, navigation } from './docs'
 import { browserHead, browserRows } from './evidence/browser'
 import { engineOrder, looks } from './evidence/engines'
@@ -46,6 +46,8 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
       readActions().map(({ name, description }) => [`\`${name}()\``, description]),
     ),
   AddNamespace: () => fence('bash', `npx shadcn@latest registry add @liten=${siteUrl}/r/{name}.json`),
+  PinVersion: () =>
+    fence('bash', `npx shadcn@latest registry add @liten=${siteUrl}/r/${version}/{name}.json`),
   AddCommand: ({ name }) => add(name),
   Changelog: changelog,
   Command: ({ add, run }) => fence('bash', add ? `npm install ${add}` : `npx ${run}`),

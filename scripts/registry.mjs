@@ -3,11 +3,12 @@
 //   node scripts/registry.mjs           renews registry.json and writes them into public, with the committed address
 //   node scripts/registry.mjs FOLDER    writes them into that folder, with the address of this build
 //   node scripts/registry.mjs --check   fails when registry.json or public isn't what that would give
-import { mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/promises'
+import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import postcss from 'postcss'
-import { addressed, committedUrl, repository, version } from '../site.config.mjs'
+import { addressed, committedUrl, repository, siteUrl, version } from '../site.config.mjs'
+import { digest, folderOf, itemFiles, releases } from './releases.mjs'
 import { isMain, must, root } from './run.mjs'
 
 const index = join(root, 'registry.json')
@@ -102,21 +103,34 @@ async function writeRegistry(output) {
   await inFolder(async (folder) => {
     const file = join(folder, 'registry.json')
     await writeFile(file, JSON.stringify(await source()))
-    await rm(join(output, 'r'), { recursive: true, force: true })
+    await mkdir(join(output, 'r'), { recursive: true })
+    for (const name of itemFiles(join(output, 'r'))) await rm(join(output, 'r', name))
     await must('shadcn', ['build', file, '--cwd', root, '--output', join(output, 'r')])
   })
   await writeFile(join(output, 'directory.json'), `${JSON.stringify(await directoryEntry(), null, 2)}\n`)
 }
 
-/** Writes the registry into a folder with the address of this build. */
+/** Writes a version of the registry into the folder of a build, where its items name each other as of that version. */
+async function writeVersion(output, version, from) {
+  const to = join(output, 'r', version)
+  await mkdir(to, { recursive: true })
+  const { homepage } = JSON.parse(await readFile(join(from, 'registry.json'), 'utf8'))
+  for (const name of itemFiles(from)) {
+    const text = (await readFile(join(from, name), 'utf8')).replaceAll(homepage, siteUrl)
+    await writeFile(join(to, name), text.replaceAll(`${siteUrl}/r/`, `${siteUrl}/r/${version}/`))
+  }
+}
+
+/** Writes the registry into a folder with the address of this build: the newest, each version released, and this one. */
 export async function buildRegistry(output) {
   await writeRegistry(output)
+  for (const released of Object.keys(releases)) await writeVersion(output, released, folderOf(released))
+  if (!releases[version]) await writeVersion(output, version, join(output, 'r'))
   for (const [path, text] of await readAll(output)) await writeFile(join(output, path), addressed(text))
 }
 
 async function readAll(folder) {
-  const names = await readdir(join(folder, 'r')).catch(() => [])
-  const paths = ['directory.json', ...names.map((name) => join('r', name))]
+  const paths = ['directory.json', ...itemFiles(join(folder, 'r')).map((name) => join('r', name))]
   const read = async (path) => [path, await readFile(join(folder, path), 'utf8').catch(() => '')]
   return new Map(await Promise.all(paths.map(read)))
 }
@@ -137,6 +151,10 @@ if (isMain(import.meta.url)) {
     const stale = await staleFiles()
     if (stale.length > 0) {
       console.error(`Out of date: ${stale.join(', ')}. Run: npm run registry`)
+      process.exit(1)
+    }
+    if (releases[version] && digest(folderOf()) !== releases[version].sha256) {
+      console.error(`${version} is released and its files have changed. Raise the version in package.json.`)
       process.exit(1)
     }
   } else if (argument) {

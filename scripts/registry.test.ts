@@ -1,19 +1,20 @@
 import { execFile } from 'node:child_process'
-import { mkdtemp, readdir, readFile, rm } from 'node:fs/promises'
+import { cp, mkdtemp, readdir, readFile, rm, symlink, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { registryItemSchema, registrySchema } from 'shadcn/schema'
 import { expect, onTestFinished, test } from 'vitest'
-import { committedUrl } from '../site.config.mjs'
+import { committedUrl, version } from '../site.config.mjs'
 import { freshIndex } from './registry.mjs'
+import { digest, folderOf, itemFiles, releases } from './releases.mjs'
 import { root } from './run.mjs'
 
 const served = join(root, 'public/r')
 const read = async (path: string) => JSON.parse(await readFile(path, 'utf8'))
 
 test('each served item and the index hold to shadcn’s own schema', async () => {
-  for (const file of await readdir(served)) {
+  for (const file of itemFiles(served)) {
     const schema = file === 'registry.json' ? registrySchema : registryItemSchema
     const { error } = schema.safeParse(await read(join(served, file)))
     expect(error, file).toBeUndefined()
@@ -45,7 +46,6 @@ test('items name each other by address, or by the repository that people add the
 })
 
 test('each item says what it is, whose, and where its docs are', async () => {
-  const { version } = await read(join(root, 'package.json'))
   for (const { name } of (await read(join(root, 'registry.json'))).items) {
     const item = await read(join(served, `${name}.json`))
     expect(item, name).toMatchObject({
@@ -70,6 +70,14 @@ test('the address given at build time is the only one in what is served', async 
   expect(index.homepage).toBe(SITE_URL)
   const demo = await read(join(folder, 'r/gravity-stack-demo.json'))
   expect(demo.registryDependencies).toEqual([`${SITE_URL}/r/gravity-stack.json`])
+  // Who pins a version gets it by way of an example too.
+  for (const pinned of [version, ...Object.keys(releases)]) {
+    const of = (name: string) => join(folder, 'r', pinned, `${name}.json`)
+    expect((await read(of('gravity-stack'))).meta.version).toBe(pinned)
+    expect((await read(of('gravity-stack-demo'))).registryDependencies).toEqual([
+      `${SITE_URL}/r/${pinned}/gravity-stack.json`,
+    ])
+  }
   const files = (await readdir(folder, { recursive: true })).filter((path) => path.endsWith('.json'))
   for (const file of files) {
     expect(await readFile(join(folder, file), 'utf8'), file).not.toContain('localhost')
@@ -87,4 +95,44 @@ test('the entry for the directory has all it asks for, and a square logo', async
   })
   const [, , width, height] = entry.logo.match(/viewBox="(\S+) (\S+) (\S+) (\S+)"/).slice(1)
   expect(width).toBe(height)
+})
+
+test('the files of a released version are those of its day, byte for byte', async () => {
+  expect(releases['0.1.0'].sha256).toBe('343332ca35978e2137152e4fb59ffd6b314ec8206d0c085104a1cae71161841e')
+  const kept = await readdir(served, { withFileTypes: true })
+  const folders = kept.filter((entry) => entry.isDirectory()).map(({ name }) => name)
+  expect(folders.sort()).toEqual(Object.keys(releases).sort())
+  for (const released of folders) expect(digest(folderOf(released)), released).toBe(releases[released].sha256)
+})
+
+test('a release keeps the files of its version, and a later change to them needs a new version', async () => {
+  const clone = await mkdtemp(join(tmpdir(), 'release-'))
+  onTestFinished(() => rm(clone, { recursive: true }))
+  for (const path of [
+    ...['scripts', 'registry', 'public', 'components/ui', 'app/elevation.css', 'app/icon.svg'],
+    ...['registry.json', 'package.json', 'site.config.mjs', 'biome.json', '.gitignore', 'CHANGELOG.md'],
+  ])
+    await cp(join(root, path), join(clone, path), { recursive: true })
+  await symlink(join(root, 'node_modules'), join(clone, 'node_modules'))
+  const edit = async (path: string, change: (text: string) => string) =>
+    writeFile(join(clone, path), change(await readFile(join(clone, path), 'utf8')))
+  const next = '7.0.0'
+  await edit('package.json', (text) => text.replace(`"version": "${version}"`, `"version": "${next}"`))
+  await edit('CHANGELOG.md', (text) => text.replace('\n## ', `\n## ${next}\n\n- New.\n\n## `))
+  const run = (script: string, ...args: string[]) =>
+    promisify(execFile)('node', [`scripts/${script}.mjs`, ...args], { cwd: clone }).then(
+      () => 'done',
+      ({ stderr }) => stderr,
+    )
+  expect(await run('release'), 'what is stale is not released').toMatch(/is stale/)
+  await run('assemble')
+  await run('registry')
+  expect(await run('release')).toBe('done')
+  const kept = (await read(join(clone, 'public/r', next, 'gravity-stack.json'))).files
+  expect(kept).toEqual((await read(join(clone, 'public/r/gravity-stack.json'))).files)
+  expect(await run('registry', '--check')).toBe('done')
+
+  await edit('registry/examples/gravity-stack-demo.tsx', (text) => text.replace('h-80', 'h-96'))
+  await run('registry')
+  expect(await run('registry', '--check')).toMatch('7.0.0 is released and its files have changed')
 })

@@ -42,9 +42,31 @@ test('one command of the Setup page teaches a project the namespace', async ({ m
   await bare(project)
   await project.write({ 'components.json': components('app.css') })
   await page.goto('/docs/setup')
-  const command = await page.getByText(/^npx shadcn@latest registry add @liten=/).textContent()
+  const command = await page
+    .getByText(/^npx shadcn@latest registry add @liten=/)
+    .first()
+    .textContent()
   await project.shadcn(...(command ?? '').trim().split(' ').slice(2))
   expect(await project.shadcn('list', '@liten')).toContain('@liten/gravity-stack')
+})
+
+test('a project that pins 0.1.0 gets that version, by way of an example and by the command of the Setup page too', async ({
+  make,
+  page,
+}) => {
+  const project = await make('pinned')
+  await bare(project)
+  await project.write({ 'components.json': components('app.css') })
+  await page.goto('/docs/setup')
+  const command =
+    (await page
+      .getByText(RegExp(`registry add @liten=\\S+/r/${version}/`))
+      .first()
+      .textContent()) ?? ''
+  await project.shadcn(...command.replace(`/r/${version}/`, '/r/0.1.0/').trim().split(' ').slice(2))
+  await project.shadcn('add', '@liten/gravity-stack-demo', '--yes')
+  expect(await project.read(file)).toContain(`Gravity Stack 0.1.0 · ${siteUrl}/docs/gravity-stack`)
+  expect(await project.shadcn('list', '@liten')).toContain('@liten/gravity-stack-demo')
 })
 
 test('the MCP server finds the examples by name and hands out their code', async ({ make }) => {

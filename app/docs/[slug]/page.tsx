@@ -24,7 +24,13 @@ export async function generateMetadata({ params }: PageProps<'/docs/[slug]'>): P
     ? {
         title: titles[doc.slug] ?? doc.title,
         description: doc.description,
-        alternates: { canonical: `/docs/${doc.slug}`, types: { 'text/markdown': `/docs/${doc.slug}.md` } },
+        alternates: {
+          canonical: `/docs/${doc.slug}`,
+          types: {
+            'text/markdown': `/docs/${doc.slug}.md`,
+            ...(doc.slug === 'changelog' && { 'application/rss+xml': '/changelog.xml' }),
+          },
+        },
       }
     : {}
 }
