@@ -3,8 +3,29 @@ import packageJson from './package.json' with { type: 'json' }
 /** The address in the files that are committed; a build names `siteUrl` in its place. */
 export const committedUrl = 'http://localhost:4000'
 
-/** Where the site will stand, without a slash at the end. Give it at build time: `SITE_URL=https://… npm run build`. */
-export const siteUrl = (process.env.SITE_URL || committedUrl).replace(/\/+$/, '')
+/** Where the site will stand, without a slash at the end: `SITE_URL`, or what the host that builds it says, or the committed one. */
+export const siteUrl = (process.env.SITE_URL || hostedAt(process.env) || committedUrl).replace(/\/+$/, '')
+
+/** Where a build is going to stand, by the variables of the host that runs it; previews stand at addresses of their own. */
+export function hostedAt(env) {
+  if (env.VERCEL) {
+    const host = env.VERCEL_ENV === 'production' ? env.VERCEL_PROJECT_PRODUCTION_URL : env.VERCEL_URL
+    return host && `https://${host}`
+  }
+  if (env.NETLIFY) return env.CONTEXT === 'production' ? env.URL : env.DEPLOY_PRIME_URL
+  if (env.CF_PAGES) {
+    // Its variable names this one build, for good; people come to the project, of which it is a subdomain.
+    const live = ['main', 'master'].includes(env.CF_PAGES_BRANCH)
+    return live
+      ? env.CF_PAGES_URL?.replace(/^(https:\/\/)[^.]+\.([^.]+\.pages\.dev)/, '$1$2')
+      : env.CF_PAGES_URL
+  }
+  if (env.GITHUB_ACTIONS && env.GITHUB_REPOSITORY) {
+    const [owner, name] = env.GITHUB_REPOSITORY.toLowerCase().split('/')
+    const host = `${owner}.github.io`
+    return name === host ? `https://${host}` : `https://${host}/${env.GITHUB_REPOSITORY.split('/')[1]}`
+  }
+}
 
 /** The folder of its host that the site stands in, '' at the root: the path of its address. */
 export const basePath = new URL(siteUrl).pathname.replace(/\/$/, '')
