@@ -3,7 +3,7 @@ import { type Browser, launch, type Page } from 'puppeteer-core'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readOutside, readPile, scrolled } from './fixtures/stage'
+import { growth, readBar, readOutside, readPile, scrolled } from './fixtures/stage'
 
 // A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign, and gets no page.
 
@@ -123,6 +123,26 @@ if (executablePath) {
     await page.keyboard.press('Enter')
     await page.waitForFunction(() => location.hash === '#link')
     await page.mouse.up()
+  })
+
+  test.describe('in Firefox with bars that take room', () => {
+    test.use({ firefoxPrefs: { 'widget.gtk.overlay-scrollbars.enabled': false } })
+
+    test('the scroll bar of a card scrolls the card, which is not held meanwhile', async ({
+      firefox: page,
+      baseURL,
+    }) => {
+      await page.goto(`${baseURL}/surroundings?kind=card`)
+      await reaches(page, 'resting')
+      const card = `${chip(1)} > div`
+      const [from, to] = await page.$eval(card, readBar)
+      await page.mouse.move(from.x, from.y)
+      await page.mouse.down()
+      await page.mouse.move(to.x, to.y, { steps: 5 })
+      await expect.poll(() => page.$eval(card, (element) => element.scrollTop)).toBeGreaterThan(30)
+      expect(await stateOf(page, chip(1))).toBe('resting')
+      await page.mouse.up()
+    })
   })
 
   test.describe('in Firefox with reduced motion', () => {

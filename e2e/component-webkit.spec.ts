@@ -7,7 +7,7 @@ import { test as base, expect } from '@playwright/test'
 import { worstOverlap } from '../scenes/exact-distance'
 import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
-import { growth, readOutside, readPile, scrolled } from './fixtures/stage'
+import { growth, readBar, readOutside, readPile, scrolled } from './fixtures/stage'
 import { freePort } from './free-port'
 
 // Safari's engine in WebKitGTK's small browser, by its own WebDriver: Playwright's WebKit is a build of its own.
@@ -210,6 +210,43 @@ if (command) {
     await page.act('key', { type: 'keyDown', value: '\uE007' }, { type: 'keyUp', value: '\uE007' })
     await expect.poll(hash).toBe('#link')
     await page.act('pointer', { type: 'pointerUp', button: 0 })
+  })
+
+  test('in WebKit a press on a video with controls is the video’s', async ({ webkit: page, baseURL }) => {
+    await page.open(`${baseURL}/surroundings?kind=video`)
+    await page.reaches('resting')
+    const { x, y } = await page.centreOf(chip(1))
+    await page.act(
+      'pointer',
+      { type: 'pointerMove', x, y },
+      { type: 'pointerDown', button: 0 },
+      { type: 'pointerMove', x: x + 10, y: y - 60, duration: 100 },
+    )
+    expect(await page.stateOf(chip(1))).toBe('resting')
+    await page.act('pointer', { type: 'pointerUp', button: 0 })
+  })
+
+  test.describe('in WebKit with bars that take room', () => {
+    test.use({ settings: 'gtk-overlay-scrolling=0' })
+
+    test('the scroll bar of a card scrolls the card, which is not held meanwhile', async ({
+      webkit: page,
+      baseURL,
+    }) => {
+      await page.open(`${baseURL}/surroundings?kind=card`)
+      await page.reaches('resting')
+      const card = `${chip(1)} > div`
+      const [from, to] = await page.$eval(card, readBar)
+      await page.act(
+        'pointer',
+        { type: 'pointerMove', ...from },
+        { type: 'pointerDown', button: 0 },
+        { type: 'pointerMove', ...to, duration: 200 },
+      )
+      await expect.poll(() => page.$eval(card, (element) => element.scrollTop)).toBeGreaterThan(30)
+      expect(await page.stateOf(chip(1))).toBe('resting')
+      await page.act('pointer', { type: 'pointerUp', button: 0 })
+    })
   })
 
   test.describe('in WebKit with reduced motion', () => {

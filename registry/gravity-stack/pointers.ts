@@ -8,7 +8,7 @@ const HELD_SCALE = 0.97
 const DRAG_START = 4
 /** Elements that a press belongs to, and elements that a tap belongs to. */
 const EDITABLE =
-  'input, textarea, select, audio, [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
+  'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that are drawn over the page, not in the chip that they are of. */
 const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
@@ -58,6 +58,13 @@ export function hearing({ signal }: AbortController) {
 function isInside({ element }: Chip, event: Event, kind: string) {
   const path = event.composedPath() as Element[]
   return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
+}
+
+/** Whether a press is on a scroll bar: outside of what its target shows of its content. Events tell nothing of bars. */
+function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
+  const { clientWidth, clientHeight } = target as Element
+  const scrolled = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
+  return !scrolled && /auto|scroll/.test(getComputedStyle(target as Element).overflow)
 }
 
 /** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
@@ -140,7 +147,7 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
     up(event)
     const chip = touched(event)
     if (!chip || event.button || event.ctrlKey) return
-    if (isInside(chip, event, EDITABLE)) return
+    if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
     const touch = event.pointerType === 'touch'
     const press = {
       chip,
