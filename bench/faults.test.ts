@@ -68,8 +68,9 @@ describe('a hard scene shows', () => {
     seconds: 2,
     conditions: air,
     seeds: 1,
-    build: () => [box(320, 330), box(320, 310), box(320, 290), box(100, 330)],
+    build: () => [box(320, 330), box(320, 310), box(320, 290), { ...box(100, 330), vx: 0 }],
     plate: 3,
+    slider: 3,
     bounds: {
       lost: 0,
       outside: 1,
@@ -82,6 +83,7 @@ describe('a hard scene shows', () => {
       asleep: 1,
       hanging: 0,
       through: 0,
+      slowed: 8,
     },
   }
   const last = 120
@@ -99,6 +101,7 @@ describe('a hard scene shows', () => {
     ['drift', 'a pixel and a half of creep', adds(3, X, 1.5 / last, 1)],
     ['asleep', 'chips that never sleep'],
     ['hanging', 'a chip a pixel above the others', adds(3, Y, -1, last)],
+    ['slowed', 'a chip that is knocked back at 40 px/s', adds(4, VX, -40, 50, 50)],
     ['through', 'a chip that comes out behind another', adds(1, X, -300, 50, 50)],
   ]
   for (const [figure, is, broken] of faults) {
