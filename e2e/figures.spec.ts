@@ -6,7 +6,7 @@ test.describe('how it works', () => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await page.goto('/docs/how-it-works')
     const times = page.getByLabel('Time', { exact: true })
-    await expect(times).toHaveCount(6)
+    await expect(times).toHaveCount(7)
     for (const time of await times.all()) {
       await time.scrollIntoViewIfNeeded()
       await time.focus()
@@ -31,7 +31,7 @@ test.describe('how it works', () => {
     await page.emulateMedia({ reducedMotion: 'reduce' })
     await page.goto('/docs/how-it-works')
     const times = page.getByLabel('Time', { exact: true })
-    await expect(times).toHaveCount(6)
+    await expect(times).toHaveCount(7)
     await expect(async () => {
       await page.evaluate(() => window.dispatchEvent(new Event('beforeprint')))
       expect(
@@ -65,7 +65,7 @@ test('every control of a figure changes what it says', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/docs/how-it-works')
   const figures = page.locator('[data-slot=figure]')
-  await expect(figures).toHaveCount(6)
+  await expect(figures).toHaveCount(7)
   for (const figure of await figures.all()) {
     await figure.scrollIntoViewIfNeeded()
     const time = figure.getByLabel('Time', { exact: true })
@@ -100,10 +100,35 @@ test('a box slides as far as its friction lets it', async ({ page }) => {
 test('with all asleep the islands figure asks for no frame', async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' })
   await page.goto('/docs/how-it-works')
-  const figure = page.locator('[data-slot=figure]').last()
+  const figure = page.locator('[data-slot=figure]', {
+    has: page.getByRole('img', { name: /^Chips pour onto the floor/ }),
+  })
+  await figure.scrollIntoViewIfNeeded()
   await figure.getByLabel('Time', { exact: true }).press('End')
   await expect(figure).toContainText('Awake 0 of 14')
   await expect(figure).toContainText('Frame callbacks none')
+})
+
+test('of the same drop, as released and planned, half turns leave every outline where it is and no word upside down', async ({
+  page,
+}) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/docs/how-it-works')
+  const drop = page.getByRole('slider', { name: 'Drop' })
+  const figure = page.locator('[data-slot=figure]', { has: drop })
+  const time = figure.getByLabel('Time', { exact: true })
+  for (let number = 1; number <= 9; number++) {
+    await expect(drop).toHaveValue(String(number))
+    await time.press('End')
+    await expect(figure).toContainText(/as released [1-9]\d* of 12/)
+    await expect(figure).toContainText('planned 0 of 12')
+    // In the middle of the fall too.
+    for (const frame of ['90', '200']) {
+      await time.fill(frame)
+      await expect(figure).toContainText(/Outlines apart (0|\d(\.\d)?\s·\s10⁻¹.)\spx/)
+    }
+    await drop.press('ArrowRight')
+  }
 })
 
 test('a figure plays to its end at a press, and again from its start at another', async ({ page }) => {

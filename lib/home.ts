@@ -63,7 +63,7 @@ export const ways = [
   {
     title: 'How it works',
     href: '/docs/how-it-works',
-    text: 'Six ideas, each with a figure that runs the solver under your fingers.',
+    text: 'Seven ideas, each with a figure that runs the solver under your fingers.',
   },
   {
     title: 'Accessibility',

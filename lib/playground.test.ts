@@ -17,6 +17,7 @@ test('settings survive the way through the address', () => {
     bounce: 1,
     seed: 3,
     interactive: false,
+    upright: false,
   }
   expect(fromQuery(toQuery(settings))).toEqual(settings)
 })
@@ -55,8 +56,8 @@ test('code that needs the elevation tokens says so first', () => {
 })
 
 test('the code has every prop that is set, and no other', () => {
-  const props = 'gravity={100} bounce={1} friction={0} stagger={0} interactive={false}'
-  const set = { gravity: 100, bounce: 1, friction: 0, stagger: 0, interactive: false }
+  const props = 'gravity={100} bounce={1} friction={0} stagger={0} interactive={false} upright={false}'
+  const set = { gravity: 100, bounce: 1, friction: 0, stagger: 0, interactive: false, upright: false }
   expect(codeOf({ ...defaults, ...set })).toContain(`<GravityStack ${props} className="h-96">`)
   expect(codeOf(defaults)).toContain('<GravityStack className="h-96">')
 })

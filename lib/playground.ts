@@ -12,6 +12,7 @@ export const defaults = {
   friction: 0.4,
   stagger: 150,
   interactive: true,
+  upright: true,
   seed: 0,
 }
 
@@ -49,6 +50,7 @@ export function fromQuery(text: string): Settings {
   settings.shape = shapes.find((shape) => shape === query.get('shape')) ?? defaults.shape
   settings.look = looks.find((look) => look === query.get('look')) ?? defaults.look
   settings.interactive = query.get('interactive') !== 'false'
+  settings.upright = query.get('upright') !== 'false'
   return settings
 }
 
@@ -111,7 +113,7 @@ const quoted = (text: string) => `'${text.replace(/[\\']/g, '\\$&')}'`
 export function codeOf(settings: Settings): string {
   const list = listOf(settings.words)
   const { forms, colours } = classesOf(settings)
-  const props = (['gravity', 'bounce', 'friction', 'stagger', 'interactive'] as const)
+  const props = (['gravity', 'bounce', 'friction', 'stagger', 'interactive', 'upright'] as const)
     .filter((prop) => settings[prop] !== defaults[prop])
     .map((prop) => ` ${prop}={${settings[prop]}}`)
 

@@ -5,6 +5,7 @@ import { ImpactFigure } from './impact'
 import { IslandsFigure } from './islands'
 import { SagFigure } from './sag'
 import { SubstepsFigure } from './substeps'
+import { UprightFigure } from './upright'
 
 /** The figures of How it works. */
 export const ideas: Record<string, ComponentType> = {
@@ -14,4 +15,5 @@ export const ideas: Record<string, ComponentType> = {
   islands: IslandsFigure,
   sag: SagFigure,
   substeps: SubstepsFigure,
+  upright: UprightFigure,
 }

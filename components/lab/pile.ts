@@ -1,6 +1,8 @@
-import { reach, releasePose, releaseTime } from '@/registry/gravity-stack/drop'
+import { type Release, reach, releaseTime } from '@/registry/gravity-stack/drop'
+import { createLookAhead, uprightTurn } from '@/registry/gravity-stack/look-ahead'
+import { addReleased } from '@/registry/gravity-stack/release-queue'
 import { createWorld } from '@/registry/gravity-stack/world'
-import { cornerRadius, type Shape } from '@/scenes/exact-distance'
+import { cornerRadius, halfExtent, type Shape } from '@/scenes/exact-distance'
 import { frame } from '@/scenes/scene'
 
 type PileOptions = {
@@ -15,25 +17,35 @@ type PileOptions = {
   seed: number
 }
 
+/** `turn` is by how many rad what is drawn of a chip is turned on its body, `seen` whether that stays. */
+type Drop = Release & { turn: number; seen: boolean }
+
 export type Pile = ReturnType<typeof createPile>
 
-/** The component's drop and solver without its stage: time passes only when `step` is called. */
+/** The component's drop, look-ahead and solver without its stage: time passes only when `step` is called. */
 export function createPile(options: PileOptions, shapes: Shape[]) {
   const world = createWorld(options)
-  const turn = (chip: number) => chip + 1000 * options.seed
   const ids: number[] = []
-  let clock = 0
-
-  function release(chip: number) {
-    const shape = { ...shapes[chip], radius: cornerRadius(shapes[chip]) }
-    const above = ids.map((id, other) => {
-      const { x, y } = world.read(id)
-      return { x, y, reach: reach(shapes[other].width, shapes[other].height) }
-    })
-    const { walls, gravity } = world.scene
-    const pose = releasePose(turn(chip), shape.width, shape.height, walls.width, gravity, above)
-    ids.push(world.add({ ...shape, ...pose }))
+  /** By the ids of their bodies. */
+  const chips: Drop[] = []
+  const coming = {
+    chips: shapes.map((shape, chip): Drop => {
+      const order = chip + 1000 * options.seed
+      return {
+        ...shape,
+        radius: cornerRadius(shape),
+        reach: reach(shape.width, shape.height),
+        order,
+        due: releaseTime(order, (chip * options.stagger) / 1000),
+        id: -1,
+        turn: 0,
+        seen: false,
+      }
+    }),
+    clock: 0,
+    revision: 0,
   }
+  const lookAhead = createLookAhead<Drop>(() => {})
 
   return {
     world,
@@ -42,18 +54,34 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
     ids,
     /** True when all are released and asleep. */
     get resting() {
-      return ids.length === shapes.length && world.resting
+      return !coming.chips.length && world.resting
     },
     /** One frame of 1/60 s. */
     step() {
-      clock += frame
-      while (
-        ids.length < shapes.length &&
-        releaseTime(turn(ids.length), (ids.length * options.stagger) / 1000) <= clock
-      ) {
-        release(ids.length)
+      coming.clock += frame
+      while (coming.chips[0]?.due <= coming.clock) {
+        const next = coming.chips.shift()!
+        next.id = addReleased({ world, chips }, next, world.scene.walls.width, world.scene.gravity)
+        ids.push(next.id)
       }
       world.step(frame)
+    },
+    /** Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether it is far enough ahead. */
+    plan() {
+      const { walls, gravity } = world.scene
+      const done = lookAhead.advance({ world, chips }, coming, walls.width, gravity)
+      for (const chip of ids.map((id) => chips[id])) {
+        const { y, angle } = world.read(chip.id)
+        chip.seen ||= y + halfExtent(chip, angle)[1] > 0
+        if (!chip.seen) chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
+      }
+      return done
+    },
+    /** Of a body: rad that what is drawn of it is turned by, and the angle at which its words are expected to lie. */
+    turned(id: number) {
+      const { turn } = chips[id]
+      const expected = lookAhead.expectedAngle(chips[id])
+      return { turn, expected: expected === undefined ? undefined : expected + turn }
     },
   }
 }

@@ -10,7 +10,8 @@ export function Fields({
   settings: Settings
   change: (next: Partial<Settings>) => void
 }) {
-  const { words, count, shape, look, gravity, bounce, friction, stagger, interactive, seed } = settings
+  const { words, count, shape, look, gravity, bounce, friction, stagger, interactive, upright, seed } =
+    settings
   return (
     <>
       <Field label="Words, with commas between">
@@ -33,15 +34,8 @@ export function Fields({
       <Range of="friction" label="friction" value={friction} onChange={change} />
       <Range of="stagger" label="stagger" unit="ms" value={stagger} onChange={change} />
       <Range of="seed" label="Seed (not in the code)" value={seed} onChange={change} />
-      <label className="flex items-center gap-3">
-        <input
-          type="checkbox"
-          checked={interactive}
-          onChange={(event) => change({ interactive: event.target.checked })}
-          className="size-4 accent-foreground"
-        />
-        <span className="font-mono text-[0.8125rem]">interactive</span>
-      </label>
+      <Switch of="upright" value={upright} onChange={change} />
+      <Switch of="interactive" value={interactive} onChange={change} />
       <p className="-mt-3 text-muted-foreground">
         Here chips can only be dragged; in the component a tap makes one hop, too.
       </p>
@@ -84,6 +78,28 @@ function Range({
       unit={unit}
       onChange={(next) => onChange({ [of]: next })}
     />
+  )
+}
+
+function Switch({
+  of,
+  value,
+  onChange,
+}: {
+  of: 'interactive' | 'upright'
+  value: boolean
+  onChange: (next: Partial<Settings>) => void
+}) {
+  return (
+    <label className="flex items-center gap-3">
+      <input
+        type="checkbox"
+        checked={value}
+        onChange={(event) => onChange({ [of]: event.target.checked })}
+        className="size-4 accent-foreground"
+      />
+      <span className="font-mono text-[0.8125rem]">{of}</span>
+    </label>
   )
 }
 

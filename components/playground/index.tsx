@@ -137,7 +137,8 @@ export function Playground() {
           <p className="border-t px-4 py-3 text-muted-foreground text-sm">
             Chips that touch are one island and share a colour; grey with a dashed outline is asleep. Red dots
             are contact points; each line is the force there, {weightLength} px for the weight of an average
-            chip.
+            chip. The short mark stands above a moving chip’s word as it is turned now; the dotted outline and
+            mark show how the look-ahead expects it to lie.
           </p>
         )}
       </div>

@@ -18,6 +18,9 @@ export const idle = {
   resting: false,
 }
 
+/** Frames: a quarter of a second, as on the component's own stage. */
+const headStart = 15
+
 type Show = {
   chips: ReturnType<typeof chipsOf>
   settings: Settings
@@ -38,20 +41,23 @@ const measure = (chip: HTMLElement) => ({
 
 /** A pile of the `data-chip` elements in `stage`, played frame by frame, and the pointers on it. */
 export function usePile({ chips, settings, drop, playing, speed, overlay }: Show) {
-  const { gravity, bounce, friction, stagger, seed } = settings
+  const { gravity, bounce, friction, stagger, upright, seed } = settings
   const [work, setWork] = useState(idle)
   const stage = useRef<HTMLDivElement>(null)
   const canvas = useRef<HTMLCanvasElement>(null)
   const pile = useRef<Pile>(null)
   const hands = useRef<Hands>(null)
   const mean = useRef(0)
+  /** Frames that a drop's beginning still waits for the look-ahead. */
+  const waits = useRef(0)
   const kick = useRef(() => {})
 
   function paint() {
-    const { world, ids, shapes, resting } = pile.current!
+    const { world, ids, shapes, resting, turned } = pile.current!
     const elements = chipsIn(stage.current!)
     ids.forEach((id, chip) => {
-      const { x, y, angle } = world.read(id)
+      const { x, y, ...body } = world.read(id)
+      const angle = body.angle + turned(id).turn
       const { width, height } = shapes[chip]
       const { style } = elements[chip]
       style.transform = `translate(${x - width / 2}px, ${y - height / 2}px) rotate(${angle}rad)`
@@ -64,7 +70,11 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     drawOverlay(canvas.current, pile.current!, words)
   }
 
+  /** Gives the look-ahead a few slices; whether it is far enough ahead. */
+  const planned = () => [1, 2, 3].some(() => pile.current!.plan())
+
   function step() {
+    if (upright) pile.current!.plan()
     const before = performance.now()
     pile.current!.step()
     // Browsers round their clocks to 100 µs, so one step says little: a mean that forgets slowly.
@@ -87,6 +97,7 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     const { world, ids } = next
     const pointers = createHands(element, next, () => kick.current())
     pile.current = next
+    waits.current = headStart
     hands.current = pointers
     setWork(idle)
     kick.current()
@@ -107,7 +118,7 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
       resize.disconnect()
       pointers.end()
     }
-  }, [chips, stagger, seed, drop])
+  }, [chips, stagger, upright, seed, drop])
 
   useEffect(() => {
     pile.current?.world.configure({ gravity, bounce, friction })
@@ -121,6 +132,11 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     let due = 0
     const tick = (time: number) => {
       request = 0
+      if (waits.current > 0 && upright && !planned()) {
+        waits.current--
+        request = requestAnimationFrame(tick)
+        return
+      }
       due += before === 0 ? 1 : Math.min(3, ((time - before) / 1000) * 60 * speed)
       before = time
       for (; due >= 1; due--) step()
