@@ -2,19 +2,32 @@
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
 //   npm run bench:browser                            writes bench/results/browser.json; about ten minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
+//   npm run bench:browser -- --plan                  only the cost of the plan, into the results that are there; four minutes
 //   npm run bench:browser -- --out folder            writes there
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { count, interact, timeDrop, timeFirstDrop, timeIdle, timeReplay, weighHeap } from './browser/measures'
-import type { BrowserResults, Drop, StageName, StageResult } from './browser/results'
+import type { Browser } from '@playwright/test'
+import {
+  count,
+  interact,
+  timeDrop,
+  timeFirstDrop,
+  timeIdle,
+  timePlan,
+  timeReplay,
+  weighHeap,
+} from './browser/measures'
+import type { BrowserResults, Drop, PlanCost, StageName, StageResult } from './browser/results'
 import { stageNames } from './browser/serve'
 import { launch, restful, server } from './browser/visit'
 import { median } from './film'
 import { commit, machine } from './machine'
 import { root } from './run-job'
 
-const { values: options } = parseArgs({ options: { stage: { type: 'string' }, out: { type: 'string' } } })
+const { values: options } = parseArgs({
+  options: { stage: { type: 'string' }, plan: { type: 'boolean' }, out: { type: 'string' } },
+})
 
 /** Each drop that is timed: chips, ms between releases, times slowed down. */
 const drops = [
@@ -51,6 +64,23 @@ function middle<T>(all: T[]): T {
   return Object.fromEntries(
     Object.keys(first as object).map((key) => [key, middle(all.map((one) => one[key as keyof T]))]),
   ) as T
+}
+
+/** With the plan and without it turn about, so that neither has the machine's better minute. */
+async function measurePlan(browser: Browser): Promise<PlanCost> {
+  const costs: PlanCost['costs'] = {}
+  for (const throttle of [1, slow]) {
+    const rounds: PlanCost['costs'][string][] = []
+    for (let n = 1; n <= plays; n++) {
+      const [planned, plain] = [
+        await attempt(`a planned drop ${n}, ${throttle}×`, () => timePlan(browser, restful, throttle, true)),
+        await attempt(`a plain drop ${n}, ${throttle}×`, () => timePlan(browser, restful, throttle, false)),
+      ]
+      rounds.push({ planned: planned.all, plain: plain.all, slice: planned.timer })
+    }
+    costs[throttle] = middle(rounds)
+  }
+  return { commit: commit(), costs }
 }
 
 /** Each kind of measurement goes round the stages, so that none has the machine's better minute. */
@@ -94,6 +124,7 @@ async function measure(stages: StageName[]) {
         ),
       )
     results[restful].replay = median(rates)
+    results[restful].plan = await measurePlan(browser)
   }
   for (const throttle of [1, slow]) {
     idle[throttle] = await attempt(`an empty frame loop, ${throttle}×`, () => timeIdle(browser, throttle))
@@ -120,6 +151,24 @@ async function measure(stages: StageName[]) {
     }),
   )
   return { results, idle, version }
+}
+
+const folder = options.out ?? join(root, 'bench/results')
+const file = join(folder, 'browser.json')
+const write = (all: BrowserResults) => {
+  mkdirSync(folder, { recursive: true })
+  writeFileSync(file, `${JSON.stringify(all, null, 1)}\n`)
+  console.log(`\nwritten: ${file}`)
+}
+
+if (options.plan) {
+  const browser = await launch()
+  const plan = await measurePlan(browser)
+  console.log(JSON.stringify(plan, null, 1))
+  const all: BrowserResults = JSON.parse(readFileSync(file, 'utf8'))
+  all.stages[restful].plan = plan
+  write(all)
+  process.exit(0)
 }
 
 const stages = options.stage ? stageNames.filter((stage) => stage === options.stage) : stageNames
@@ -155,10 +204,6 @@ if (!options.stage) {
     idle,
     stages: results as BrowserResults['stages'],
   }
-  const folder = options.out ?? join(root, 'bench/results')
-  mkdirSync(folder, { recursive: true })
-  const file = join(folder, 'browser.json')
-  writeFileSync(file, `${JSON.stringify(written, null, 1)}\n`)
-  console.log(`\nwritten: ${file}`)
+  write(written)
 }
 process.exit(0)

@@ -91,3 +91,41 @@ test('the overlay of a paused stage is there at once', async ({ page }) => {
   await page.getByRole('button', { name: 'Overlay' }).click()
   await expect.poll(async () => (await colours(page)).grey).toBeGreaterThan(3 * 800)
 })
+
+test('the overlay shows how a falling chip is expected to lie, and so it comes to lie, its word the right way up', async ({
+  page,
+}) => {
+  await page.addInitScript(() => {
+    // The angle of what is drawn last with the fine dashes of what is expected.
+    const { rotate, setLineDash } = CanvasRenderingContext2D.prototype
+    let angle = Number.NaN
+    CanvasRenderingContext2D.prototype.rotate = function (turn) {
+      angle = turn
+      rotate.call(this, turn)
+    }
+    CanvasRenderingContext2D.prototype.setLineDash = function (dash) {
+      if (String(dash) === '2,3') Object.assign(window, { expected: angle })
+      setLineDash.call(this, dash)
+    }
+  })
+  // Nothing falls before the first press on Step.
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await page.goto('/playground?count=1&words=Up')
+  await expect(page.getByText('Motion is off')).toBeVisible()
+  await page.getByRole('button', { name: 'Overlay' }).click()
+  const step = page.getByRole('button', { name: 'Step' })
+  const drawn = () =>
+    page.locator('[data-chip]').evaluate((chip) => {
+      const { a, b, f } = new DOMMatrix(getComputedStyle(chip).transform)
+      return { angle: Math.atan2(b, a), top: f }
+    })
+  while ((await drawn()).top < 100) await step.click()
+  const expected = await page.evaluate(() => (window as unknown as { expected: number }).expected)
+  const { angle: falling } = await drawn()
+  await page.getByRole('button', { name: 'Play' }).click()
+  await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
+  const { angle: resting } = await drawn()
+  expect(Math.abs(falling - expected)).toBeGreaterThan(0.1)
+  expect(resting).toBeCloseTo(expected, 1)
+  expect(Math.cos(resting)).toBeGreaterThan(0)
+})

@@ -3,7 +3,8 @@ import { browserHead, browserResults, browserRows, three } from '@/lib/evidence/
 import { Table } from './table'
 
 export function InBrowser({ download }: { download: ReactNode }) {
-  const { date, commit, machine, idle } = browserResults
+  const { date, commit, machine, idle, stages } = browserResults
+  const { plan } = stages['gravity-stack']
   return (
     <>
       <p className="max-w-3xl text-muted-foreground leading-relaxed">
@@ -41,8 +42,9 @@ export function InBrowser({ download }: { download: ReactNode }) {
         <time dateTime={date}>
           {new Date(date).toLocaleDateString('en', { dateStyle: 'long', timeZone: 'UTC' })}
         </time>
-        , commit {commit}, without a graphics card: compositing is software. Raw data: {download}. To repeat
-        it: <Code>npm run bench:browser</Code>
+        , commit {commit}, without a graphics card: compositing is software.
+        {plan && plan.commit !== commit && ` The cost of the plan is of commit ${plan.commit}.`} Raw data:{' '}
+        {download}. To repeat it: <Code>npm run bench:browser</Code>
       </p>
     </>
   )

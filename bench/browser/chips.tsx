@@ -29,6 +29,8 @@ export interface StageProps {
   height: number
   /** Never lets the pile rest. */
   restless: boolean
+  /** Plans the drop so that words end the right way up, where a stage can. */
+  upright: boolean
 }
 
 /** What a stage without a component of its own starts from: chips above a box, for a script to move. */

@@ -60,6 +60,21 @@ export async function timeFirstDrop(browser: Browser, stage: StageName, throttle
   })
 }
 
+/** Script of a whole drop of 60 chips from their view to their rest, with the plan of how they will lie or without it. */
+export async function timePlan(browser: Browser, stage: StageName, throttle: number, upright: boolean) {
+  const conditions = { stage, chips: 60, stagger: 150, throttle, above: 3000 }
+  return visit(browser, conditions, { upright }, async (page, _, start) => {
+    await start()
+    await page.waitForLoadState('networkidle')
+    await wait(0.5)
+    await browser.startTracing(page, { categories })
+    await page.evaluate(() => scrollTo(0, 3000))
+    await dropped(page, conditions)
+    const trace = new Trace(await browser.stopTracing())
+    return trace.script(trace.mark('seen') ?? Number.NaN, trace.mark('rest') ?? Number.NaN)
+  })
+}
+
 /** Script a frame of a page with an empty frame loop. */
 export async function timeIdle(browser: Browser, throttle: number) {
   const page = await browser.newPage()

@@ -28,12 +28,20 @@ export type Drop = {
   garbage: { longest: number; count: number }
 }
 
+/** By throttle: ms of script of a drop of 60 chips from view to rest, with the plan and without, and of the plan's longest slice; medians. */
+export type PlanCost = {
+  commit: string
+  costs: Record<string, { planned: number; plain: number; slice: number }>
+}
+
 export type StageResult = {
   /** Bytes of its script, minified and compressed, all but React and `cn`. */
   bytes: number
   drops: Drop[]
   /** Frames a second of a thousand chips drawn as in the drop, without the physics: of a stage that rests, the median of three. */
   replay?: number
+  /** Of a stage that plans how its chips will lie. */
+  plan?: PlanCost
   /** ms of script, style and layout between the view of 60 chips and their first frame, the median of five pages, by throttle. */
   firstDrop: Record<string, number>
   /** Layouts from the server's markup to the first frame, 60 chips. */

@@ -151,3 +151,16 @@ it.each([
   ])
   expect(trace.frames(0, 16_000)[kind].worst).toBe(0.5 * all.length)
 })
+
+it('of the script between two times the longest timer is told apart', () => {
+  const trace = traced([
+    begin(0),
+    script(0, 1000),
+    { name: 'TimerFire', ts: 2000, dur: 3000 },
+    { name: 'FunctionCall', ts: 2100, dur: 2000 },
+    { name: 'TimerFire', ts: 6000, dur: 4000 },
+    { name: 'Paint', ts: 11_000, dur: 500 },
+    { name: 'TimerFire', ts: 12_000, dur: 9000 },
+  ])
+  expect(trace.script(0, 11_500)).toEqual({ all: 8, timer: 4 })
+})

@@ -81,6 +81,15 @@ export class Trace {
     return length(this.spans(new Set([...scripts, ...styles]), from, to)) / 1000
   }
 
+  /** ms of script between two times, and of its longest timer. */
+  script(from: number, to: number) {
+    const longest = Math.max(
+      0,
+      ...this.spans(new Set(['TimerFire']), from, to).map((span) => span.to - span.from),
+    )
+    return { all: length(this.spans(scripts, from, to)) / 1000, timer: longest / 1000 }
+  }
+
   /** Layouts and recalculated styles that script has forced. */
   forced(from: number, to: number, names = scripts) {
     const running = this.spans(names, from, to)

@@ -22,7 +22,7 @@ export const wait = (seconds: number) => new Promise((resolve) => setTimeout(res
 export async function visit<T>(
   browser: Browser,
   { stage, chips, stagger, throttle = 1, above = 0 }: Visit,
-  extra: { counting?: boolean; recording?: boolean; restless?: boolean },
+  extra: { counting?: boolean; recording?: boolean; restless?: boolean; upright?: boolean },
   work: (page: Page, session: CDPSession, start: () => Promise<unknown>) => Promise<T>,
 ): Promise<T> {
   let context: BrowserContext | undefined
@@ -35,8 +35,8 @@ export async function visit<T>(
     const failed = new Promise<never>((_, reject) => page.on('pageerror', reject))
     failed.catch(() => {})
     const { width, height } = pourStage(chips)
-    const { counting = false, recording = false, restless = false } = extra
-    const query = { chips, stagger, width, height, above, counting, recording, restless }
+    const { counting = false, recording = false, restless = false, upright = true } = extra
+    const query = { chips, stagger, width, height, above, counting, recording, restless, upright }
     await page.goto(`${server.url}/${stage}?${new URLSearchParams(query as never)}`)
     const session = await context.newCDPSession(page)
     await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })

@@ -99,9 +99,11 @@ export function UprightFigure() {
           context.rect(0, from, stage.width, stage.height)
           context.clip()
           context.translate(0, from)
+          context.globalAlpha = 0.5
           plan.forEach((pose, i) => {
             drawChip(context, shapes[i], pose, { stroke: palette.muted, dash: [3, 4] })
           })
+          context.globalAlpha = 1
           poses.forEach((pose, i) => {
             const fill = chipColours[i % chipColours.length]
             drawChip(context, shapes[i], pose, { fill, stroke: palette.stage, label: chips[i][0] })

@@ -71,6 +71,19 @@ const rows: Row[] = [
     value: ({ firstDrop }) => `${ms(firstDrop[1])}; ${ms(firstDrop[4])}`,
   },
   {
+    name: 'Script of a whole drop of 60 chips, from in view to rest, with the plan of how they will lie / without it, ms; slowed 4 times',
+    goal: '1.3 times',
+    met: ({ plan }) => !plan || plan.costs[1].planned <= 1.3 * plan.costs[1].plain,
+    value: ({ plan }) =>
+      plan
+        ? [1, 4].map((slow) => `${ms(plan.costs[slow].planned)} / ${ms(plan.costs[slow].plain)}`).join('; ')
+        : '–',
+  },
+  {
+    name: 'Longest slice of that plan, ms; slowed 4 times',
+    value: ({ plan }) => (plan ? [1, 4].map((slow) => ms(plan.costs[slow].slice)).join('; ') : '–'),
+  },
+  {
     name: 'Layouts to bring 60 chips to life',
     goal: '1',
     met: ({ mountLayouts }) => mountLayouts <= 1,
