@@ -28,7 +28,7 @@ export type Drop = {
   garbage: { longest: number; count: number }
 }
 
-/** By throttle: ms of script of a drop of 60 chips from view to rest, with the plan and without, and of the plan's longest slice; medians. */
+/** By throttle: ms of the processor for script of a drop of 60 chips from view to rest, with the plan and without, and of the plan's longest slice; medians. */
 export type PlanCost = {
   commit: string
   costs: Record<string, { planned: number; plain: number; slice: number }>

@@ -1,7 +1,16 @@
 import { expect, it } from 'vitest'
 import { Trace } from './trace'
 
-type Event = { name: string; ts: number; dur?: number; ph?: string; cat?: string; pid?: number; tid?: number }
+type Event = {
+  name: string
+  ts: number
+  dur?: number
+  tdur?: number
+  ph?: string
+  cat?: string
+  pid?: number
+  tid?: number
+}
 
 /** As Chromium writes one down: the page is thread 1 of process 1. */
 const traced = (events: Event[]) =>
@@ -152,13 +161,13 @@ it.each([
   expect(trace.frames(0, 16_000)[kind].worst).toBe(0.5 * all.length)
 })
 
-it('of the script between two times the longest timer is told apart', () => {
+it('of the processor’s time for script the longest timer is told apart, and what others took meanwhile is left out', () => {
   const trace = traced([
     begin(0),
     script(0, 1000),
     { name: 'TimerFire', ts: 2000, dur: 3000 },
     { name: 'FunctionCall', ts: 2100, dur: 2000 },
-    { name: 'TimerFire', ts: 6000, dur: 4000 },
+    { name: 'TimerFire', ts: 6000, dur: 5000, tdur: 4000 },
     { name: 'Paint', ts: 11_000, dur: 500 },
     { name: 'TimerFire', ts: 12_000, dur: 9000 },
   ])

@@ -11,6 +11,8 @@ type TraceEvent = {
   /** µs */
   ts: number
   dur?: number
+  /** µs of the processor: without what other programs took meanwhile. */
+  tdur?: number
   args: Record<string, unknown>
 }
 
@@ -34,15 +36,15 @@ const styles = new Set(['UpdateLayoutTree', 'Layout'])
 const paints = new Set(['PrePaint', 'Paint', 'Layerize', 'Commit'])
 const collections = new Set(['MinorGC', 'MajorGC'])
 
-type Span = { from: number; to: number }
+type Span = { from: number; to: number; processor: number }
 
 /** Spans that lie within no other, in order. */
 function outermost(events: TraceEvent[]): Span[] {
   const spans: Span[] = []
-  for (const { ts, dur = 0 } of events.toSorted((a, b) => a.ts - b.ts)) {
+  for (const { ts, dur = 0, tdur = dur } of events.toSorted((a, b) => a.ts - b.ts)) {
     const last = spans.at(-1)
     if (last && ts < last.to) last.to = Math.max(last.to, ts + dur)
-    else spans.push({ from: ts, to: ts + dur })
+    else spans.push({ from: ts, to: ts + dur, processor: tdur })
   }
   return spans
 }
@@ -81,13 +83,13 @@ export class Trace {
     return length(this.spans(new Set([...scripts, ...styles]), from, to)) / 1000
   }
 
-  /** ms of script between two times, and of its longest timer. */
+  /** ms that the processor was at script between two times, and at the longest timer of it. */
   script(from: number, to: number) {
-    const longest = Math.max(
-      0,
-      ...this.spans(new Set(['TimerFire']), from, to).map((span) => span.to - span.from),
-    )
-    return { all: length(this.spans(scripts, from, to)) / 1000, timer: longest / 1000 }
+    const times = (names: Set<string>) => this.spans(names, from, to).map(({ processor }) => processor / 1000)
+    return {
+      all: times(scripts).reduce((sum, time) => sum + time, 0),
+      timer: Math.max(0, ...times(new Set(['TimerFire']))),
+    }
   }
 
   /** Layouts and recalculated styles that script has forced. */

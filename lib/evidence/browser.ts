@@ -71,7 +71,7 @@ const rows: Row[] = [
     value: ({ firstDrop }) => `${ms(firstDrop[1])}; ${ms(firstDrop[4])}`,
   },
   {
-    name: 'Script of a whole drop of 60 chips, from in view to rest, with the plan of how they will lie / without it, ms; slowed 4 times',
+    name: 'The processor’s time for the script of a whole drop of 60 chips, from in view to rest, with the plan of how they will lie / without it, ms; slowed 4 times',
     goal: '1.3 times',
     met: ({ plan }) => !plan || plan.costs[1].planned <= 1.3 * plan.costs[1].plain,
     value: ({ plan }) =>
