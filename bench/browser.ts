@@ -2,7 +2,7 @@
 // design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
 //   npm run bench:browser                            writes bench/results/browser.json; about ten minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
-//   npm run bench:browser -- --plan                  only the cost of the plan, into the results that are there; four minutes
+//   npm run bench:browser -- --plan                  only the cost of the plan, into the results that are there; three minutes
 //   npm run bench:browser -- --out folder            writes there
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'

@@ -147,7 +147,7 @@ test.describe('benchmarks', () => {
     const section = page.locator('section', { has: page.locator('h2#browser') })
     const { date, stages } = JSON.parse(readFileSync(file, 'utf8'))
     const table = section.getByRole('region', { name: 'In a browser' })
-    await expect(table.getByRole('row')).toHaveCount(19)
+    await expect(table.getByRole('row')).toHaveCount(21)
     await expect(table.getByRole('columnheader')).toHaveCount(2 + Object.keys(stages).length)
     await expect(table).not.toContainText(/NaN|undefined/)
     await expect(section.locator('time')).toHaveAttribute('datetime', date)
