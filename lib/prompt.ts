@@ -3,7 +3,7 @@ import registry from '@/registry.json'
 import { addressed, siteUrl } from '@/site.config.mjs'
 import { findDoc } from './docs'
 import { readActions, readProps } from './props'
-import { componentFile } from './source'
+import { agentsSource, componentFile } from './source'
 
 const itemOf = (name: string) => {
   const item = registry.items.find((item) => item.name === name)
@@ -21,6 +21,9 @@ function componentPrompt() {
   const usage = page.match(/\n## Usage\n\n(```tsx\n[\s\S]*?```)/)?.[1]
   if (!usage) throw new Error('The page of the component has no code under Usage')
   const { dependencies = [] } = itemOf('gravity-stack')
+  const rules = agentsSource()
+    .match(/^- .+$/gm)!
+    .join('\n')
   return `Add the React component Gravity Stack to this project, then use it where I say.
 
 ${itemOf('gravity-stack').description}
@@ -35,13 +38,7 @@ ${siteUrl}/source/gravity-stack.tsx.txt as ${componentFile}. Do not change the f
 
 ${usage}
 
-- Give the stage a height, such as className="h-80", with room for all chips at the narrowest width.
-- Each direct child is one chip. It collides as the box, card, pill or disc that its own classes draw, so give it padding, a background and a radius.
-- Give each child of a list a key. Added children drop in, removed ones leave, and the others stay where they lie.
-- Chips may be links, buttons and fields: a press is theirs, a drag tosses the chip.
-- Put 'use client' at the top of a file that passes onSettle or actionsRef, or that holds the chips in state.
-- Chips lie at an angle: words that must be read stand somewhere else too.
-- Reduced motion, print and pages without script are taken care of: the chips stand upright in a row.
+${rules}
 
 ## Props of GravityStack
 

@@ -17,5 +17,8 @@ export const exampleSource = (name: string) => read('registry', 'examples', `${n
 /** The tokens of the registry's item `elevation`. */
 export const elevationSource = () => read('app', 'elevation.css')
 
+/** What the registry's item `agents` tells a coding assistant. */
+export const agentsSource = () => addressed(read('registry', 'agents.md'))
+
 /** CHANGELOG.md below its title. */
 export const changelog = () => read('CHANGELOG.md').replace(/^# .+\n/, '')

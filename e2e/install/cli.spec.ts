@@ -69,6 +69,19 @@ test('a project that pins 0.1.0 gets that version, by way of an example and by t
   expect(await project.shadcn('list', '@liten')).toContain('@liten/gravity-stack-demo')
 })
 
+test('a project gets an AGENTS.md with the addresses of this site, and one that has its own keeps it', async ({
+  make,
+}) => {
+  const notes = addressed(await readFile(join(root, 'registry/agents.md'), 'utf8'))
+  const project = await make('agents')
+  await bare(project)
+  await project.shadcn('add', item('agents'), '--yes')
+  expect(await project.read('AGENTS.md')).toBe(notes)
+  await project.write({ 'AGENTS.md': '# Ours\n' })
+  await project.shadcn('add', item('agents'), '--yes')
+  expect(await project.read('AGENTS.md')).toBe('# Ours\n')
+})
+
 test('the MCP server finds the examples by name and hands out their code', async ({ make }) => {
   const project = await make('bare')
   await bare(project)

@@ -1,9 +1,10 @@
 import { highlight } from '@/lib/highlight'
-import { componentFile, componentSource } from '@/lib/source'
+import { agentsSource, componentFile, componentSource } from '@/lib/source'
 
 // The ending is .txt for all: any static host serves that as text and no browser runs it.
 const files: Record<string, () => string | Promise<string>> = {
   'gravity-stack.tsx.txt': componentSource,
+  'agents.md.txt': agentsSource,
   'gravity-stack.html.txt': async () =>
     (await highlight(componentSource())).replace(
       '<pre ',
