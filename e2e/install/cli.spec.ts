@@ -32,7 +32,9 @@ test('the namespace @liten lists, finds and shows every item', async ({ make }) 
   const search = await project.shadcn('search', '@liten', '--query', 'tinted')
   expect(search).toContain('@liten/gravity-stack-tinted-demo')
 
-  const [shown] = JSON.parse(await project.shadcn('view', '@liten/gravity-stack'))
+  // Into a file: what a busy machine has not read from a pipe when the CLI exits is lost.
+  await project.run('sh', ['-c', `'${tool('shadcn')}' view @liten/gravity-stack > shown.json`])
+  const [shown] = JSON.parse(await project.read('shown.json'))
   expect(shown.files[0].content).toBe(await source())
   expect(shown.meta.version).toBe(JSON.parse(await readFile(join(root, 'package.json'), 'utf8')).version)
 })
