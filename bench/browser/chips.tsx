@@ -6,16 +6,29 @@ const WORDS =
   )
 const TINTS = ['bg-amber-200', 'bg-emerald-200', 'bg-sky-200', 'bg-rose-200', 'bg-violet-200']
 
-/** The same pills for every stage. */
-export const pills = (count: number) =>
+export type Look = 'pills' | 'badges' | 'mixed'
+
+/** The classes of chip `i`. */
+const looks: Record<Look, (i: number) => string> = {
+  pills: () => 'rounded-full px-3 py-1',
+  badges: () => 'rounded-md px-2.5 py-1',
+  mixed: (i) =>
+    [
+      'rounded-full px-3 py-1',
+      'rounded-md px-2.5 py-1',
+      'grid size-10 rounded-full',
+      'grid size-9',
+      'h-14 w-7',
+    ][i % 5],
+}
+
+/** The same pills for every stage; badges and mixed shapes where asked for. */
+export const pills = (count: number, look: Look = 'pills') =>
   Array.from({ length: count }, (_, i) => i).map((i) => ({
     key: i,
     pill: (
-      <span
-        key={i}
-        className={`block rounded-full px-3 py-1 text-neutral-900 text-xs ${TINTS[i % TINTS.length]}`}
-      >
-        {WORDS[i % WORDS.length]}
+      <span key={i} className={`block text-neutral-900 text-xs ${looks[look](i)} ${TINTS[i % TINTS.length]}`}>
+        {look === 'mixed' && i % 5 > 1 ? i : WORDS[i % WORDS.length]}
       </span>
     ),
   }))
@@ -29,6 +42,7 @@ export interface StageProps {
   height: number
   /** Never lets the pile rest. */
   restless: boolean
+  look?: Look
   /** Plans the drop so that words end the right way up, where a stage can. */
   upright: boolean
 }

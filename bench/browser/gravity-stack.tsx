@@ -2,7 +2,7 @@ import * as React from 'react'
 import { GravityStack, type GravityStackActions } from '../../components/ui/gravity-stack'
 import { pills, type StageProps } from './chips'
 
-export default function Stage({ chips, stagger, width, height, restless, upright }: StageProps) {
+export default function Stage({ chips, stagger, width, height, restless, look, upright }: StageProps) {
   const actions = React.useRef<GravityStackActions>(null)
   return (
     <GravityStack
@@ -13,7 +13,7 @@ export default function Stage({ chips, stagger, width, height, restless, upright
       style={{ width, height }}
       className="bg-neutral-100"
     >
-      {pills(chips).map(({ pill }) => pill)}
+      {pills(chips, look).map(({ pill }) => pill)}
     </GravityStack>
   )
 }

@@ -11,9 +11,10 @@ import { script } from '../script'
 import type { StageName } from './results'
 
 const here = join(root, 'bench/browser')
+const resolve = { alias: { '@': root } }
 export const stageNames: StageName[] = ['gravity-stack', 'circle-chains', 'matter-js']
 
-async function bundle(stage: StageName) {
+async function bundle(stage: StageName | 'demos') {
   const stdin = `import Stage from './${stage}'\n`
   const [client, server, alone] = await Promise.all([
     script(
@@ -23,6 +24,7 @@ async function bundle(stage: StageName) {
       hydrateRoot(document.getElementById('root'), <Stage {...props} />)`,
       here,
       'esm',
+      { resolve },
     ),
     script(
       `${stdin}
@@ -30,9 +32,12 @@ async function bundle(stage: StageName) {
       export const render = (props) => renderToString(<Stage {...props} />)`,
       here,
       'cjs',
-      { platform: 'node' },
+      { platform: 'node', resolve },
     ),
-    script(`${stdin}export default Stage`, here, 'esm', { external: ['react', 'react/jsx-runtime', 'cn'] }),
+    script(`${stdin}export default Stage`, here, 'esm', {
+      external: ['react', 'react/jsx-runtime', 'cn'],
+      resolve,
+    }),
   ])
   const module = { exports: {} as { render: (props: object) => string } }
   const require = createRequire(import.meta.url)
@@ -41,14 +46,18 @@ async function bundle(stage: StageName) {
 }
 
 const css = `@import "tailwindcss" source(none);
+@import "../../app/elevation.css";
 @source "./";
+@source "../../registry/examples";
 @source "../../components/ui/gravity-stack.tsx";
 body { font-family: Arial, sans-serif; }`
 
 /** Starts the server; `close` ends it. */
 export async function serve() {
   const bundles = Object.fromEntries(
-    await Promise.all(stageNames.map(async (stage) => [stage, await bundle(stage)] as const)),
+    await Promise.all(
+      [...stageNames, 'demos' as const].map(async (stage) => [stage, await bundle(stage)] as const),
+    ),
   )
   const watching = `export { observe } from './observe'; export { record } from './replay'`
   const observing = await script(watching, here, 'iife', { name: 'observer' })

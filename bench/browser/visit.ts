@@ -2,6 +2,7 @@
 import { type Browser, type BrowserContext, type CDPSession, chromium, type Page } from '@playwright/test'
 import { pourStage } from '../../scenes/piles'
 import { bringBrowser } from '../../scripts/browser.mjs'
+import type { Look } from './chips'
 import type { StageName } from './results'
 import { serve } from './serve'
 
@@ -14,14 +15,23 @@ await bringBrowser()
 export const server = await serve()
 export const launch = () => chromium.launch({ executablePath: process.env.CHROME_PATH })
 
-type Visit = { stage: StageName; chips: number; stagger: number; throttle?: number; above?: number }
+type Visit = {
+  stage: StageName | 'demos'
+  chips: number
+  stagger: number
+  throttle?: number
+  above?: number
+  /** px, where not what so many chips fill. */
+  width?: number
+  look?: Look
+}
 
 export const wait = (seconds: number) => new Promise((resolve) => setTimeout(resolve, 1000 * seconds))
 
 /** A fresh page as the server sends it, its script not yet loaded. */
 export async function visit<T>(
   browser: Browser,
-  { stage, chips, stagger, throttle = 1, above = 0 }: Visit,
+  { stage, chips, stagger, throttle = 1, above = 0, look = 'pills', ...more }: Visit,
   extra: { counting?: boolean; recording?: boolean; restless?: boolean; upright?: boolean },
   work: (page: Page, session: CDPSession, start: () => Promise<unknown>) => Promise<T>,
 ): Promise<T> {
@@ -34,9 +44,9 @@ export async function visit<T>(
     page.on('console', (message) => marks.add(message.text()))
     const failed = new Promise<never>((_, reject) => page.on('pageerror', reject))
     failed.catch(() => {})
-    const { width, height } = pourStage(chips)
+    const { width, height } = { ...pourStage(chips), ...more }
     const { counting = false, recording = false, restless = false, upright = true } = extra
-    const query = { chips, stagger, width, height, above, counting, recording, restless, upright }
+    const query = { chips, stagger, width, height, above, counting, recording, restless, upright, look: JSON.stringify(look) }
     await page.goto(`${server.url}/${stage}?${new URLSearchParams(query as never)}`)
     const session = await context.newCDPSession(page)
     await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
@@ -64,6 +74,6 @@ export async function marked(page: Page, name: string, seconds = 60) {
 /** Until the stage rests; one that never does is left when it would long have. */
 export async function dropped(page: Page, { stage, chips, stagger }: Visit) {
   await marked(page, 'drawn')
-  if (stage === restful) await marked(page, 'rest')
+  if (stage !== 'circle-chains' && stage !== 'matter-js') await marked(page, 'rest')
   else await wait((chips * stagger) / 1000 + watched)
 }
