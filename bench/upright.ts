@@ -32,8 +32,8 @@ function read() {
   return result
 }
 
-type Conditions = Parameters<typeof visit>[1]
-const conditions = (more: Partial<Conditions>): Conditions => ({
+type Conditions = Parameters<typeof visit>[1] & { upright?: boolean }
+const conditions = ({ upright, ...more }: Partial<Conditions>): Conditions => ({
   stage: 'gravity-stack',
   chips: 60,
   stagger: 150,
@@ -47,7 +47,7 @@ function drop<T>(
   before?: (page: Page) => Promise<unknown>,
 ) {
   const all = conditions(more)
-  return visit(browser, all, {}, async (page, _, start) => {
+  return visit(browser, all, { upright: more.upright ?? true }, async (page, _, start) => {
     await before?.(page)
     await start()
     await dropped(page, all)

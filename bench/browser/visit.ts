@@ -46,7 +46,18 @@ export async function visit<T>(
     failed.catch(() => {})
     const { width, height } = { ...pourStage(chips), ...more }
     const { counting = false, recording = false, restless = false, upright = true } = extra
-    const query = { chips, stagger, width, height, above, counting, recording, restless, upright, look: JSON.stringify(look) }
+    const query = {
+      chips,
+      stagger,
+      width,
+      height,
+      above,
+      counting,
+      recording,
+      restless,
+      upright,
+      look: JSON.stringify(look),
+    }
     await page.goto(`${server.url}/${stage}?${new URLSearchParams(query as never)}`)
     const session = await context.newCDPSession(page)
     await session.send('Emulation.setCPUThrottlingRate', { rate: throttle })
