@@ -1,8 +1,6 @@
 import './globals.css'
 import type { Metadata, Viewport } from 'next'
 import type { ReactNode } from 'react'
-import { SiteFooter } from '@/components/site-footer'
-import { SiteHeader } from '@/components/site-header'
 import { at } from '@/lib/address'
 import { mono, sans } from '@/lib/fonts'
 import { grounds, preferencesScript } from '@/lib/preferences'
@@ -59,11 +57,7 @@ export default function Layout({ children }: { children: ReactNode }) {
           dangerouslySetInnerHTML={{ __html: speculationRules }}
         />
       </head>
-      <body className="flex min-h-dvh flex-col font-sans">
-        <SiteHeader />
-        {children}
-        <SiteFooter />
-      </body>
+      <body className="flex min-h-dvh flex-col font-sans">{children}</body>
     </html>
   )
 }

@@ -5,9 +5,14 @@ import { siteUrl } from '@/site.config.mjs'
 export const dynamic = 'force-static'
 
 export default function sitemap(): MetadataRoute.Sitemap {
-  return ['', '/docs', '/playground', '/benchmarks', ...docs.map((doc) => `/docs/${doc.slug}`)].map(
-    (path) => ({
-      url: siteUrl + path,
-    }),
-  )
+  return [
+    '',
+    '/docs',
+    '/blocks',
+    '/playground',
+    '/benchmarks',
+    ...docs.map((doc) => `/docs/${doc.slug}`),
+  ].map((path) => ({
+    url: siteUrl + path,
+  }))
 }

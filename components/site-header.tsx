@@ -9,6 +9,7 @@ import { Mark } from './wordmark'
 
 const links = [
   { title: 'Docs', href: '/docs/gravity-stack' },
+  { title: 'Blocks', href: '/blocks' },
   { title: 'Playground', href: '/playground' },
   { title: 'Benchmarks', href: '/benchmarks' },
   { title: 'How it works', href: '/docs/how-it-works' },

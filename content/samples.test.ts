@@ -65,7 +65,7 @@ writeFileSync(
   JSON.stringify({
     extends: '../../tsconfig.json',
     compilerOptions: { incremental: false, paths: { '@/*': ['../../*'] } },
-    include: ['*.tsx', '../../registry/examples/*.tsx'],
+    include: ['*.tsx', '../../registry/examples/*.tsx', '../../registry/blocks/*.tsx'],
   }),
 )
 
@@ -131,5 +131,13 @@ for (const name of examples) {
     for (const Demo of Object.values<FunctionComponent>(module)) {
       expect(renderToStaticMarkup(createElement(Demo))).toContain('data-slot="gravity-stack-chip"')
     }
+  })
+}
+
+for (const file of readdirSync('registry/blocks')) {
+  test(`the block ${file} renders its chips on the server`, async () => {
+    const module = await import(`@/registry/blocks/${file.replace('.tsx', '')}.tsx`)
+    for (const Block of Object.values<FunctionComponent>(module))
+      expect(renderToStaticMarkup(createElement(Block))).toContain('data-slot="gravity-stack-chip"')
   })
 }

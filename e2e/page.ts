@@ -3,7 +3,7 @@ import { test as base, type Page } from '@playwright/test'
 
 /** Addresses of the docs, and of all pages of the site. */
 export const docs = readdirSync('content/docs').map((file) => `/docs/${file.replace('.mdx', '')}`)
-export const pages = ['/', '/docs', '/playground', '/benchmarks', ...docs, '/404']
+export const pages = ['/', '/docs', '/blocks', '/playground', '/benchmarks', ...docs, '/404']
 
 export const playgroundStage = '[data-slot=playground-stage]'
 

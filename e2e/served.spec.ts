@@ -190,7 +190,7 @@ test('a crawler finds the map of the site, and the component’s page under a ti
 test('llms.txt and the sitemap list every page, and llms-full.txt holds the source', async ({ request }) => {
   const index = await (await request.get('/llms.txt')).text()
   const map = await (await request.get('/sitemap.xml')).text()
-  for (const path of ['/playground', '/benchmarks', ...docs]) {
+  for (const path of ['/blocks', '/playground', '/benchmarks', ...docs]) {
     expect(index).toContain(`${path}.md)`)
     expect(map).toContain(`${path}</loc>`)
   }

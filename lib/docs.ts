@@ -9,6 +9,12 @@ export const docs = allDocs.toSorted((a, b) => a.order - b.order)
 const others = [
   {
     section: 'Component',
+    title: 'Blocks',
+    href: '/blocks',
+    description: 'Parts of a page that you can ship as they are: footers, forms, walls of logos and more.',
+  },
+  {
+    section: 'Component',
     title: 'Playground',
     href: '/playground',
     description:

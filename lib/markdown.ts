@@ -2,6 +2,7 @@ import 'server-only'
 import type { Doc } from 'contentlayer/generated'
 import { ours } from '@/bench/report'
 import { siteUrl, version } from '@/site.config.mjs'
+import { blocks, blocksPitch } from './blocks'
 import { docs, navigation } from './docs'
 import { browserHead, browserRows } from './evidence/browser'
 import { engineOrder, looks } from './evidence/engines'
@@ -14,7 +15,7 @@ import { facts, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
 import { promptOf } from './prompt'
 import { readActions, readProps } from './props'
-import { changelog, elevationSource, exampleSource } from './source'
+import { blockSource, changelog, elevationSource, exampleSource } from './source'
 
 const fence = (lang: string, code: string, title?: string) =>
   `\`\`\`${lang}${title ? ` title="${title}"` : ''}\n${code.trimEnd()}\n\`\`\``
@@ -137,6 +138,18 @@ const index = () =>
     ]),
   )
 
+const blocksPage = () =>
+  page(
+    blocksPitch.title,
+    blocksPitch.lead,
+    ...blocks.flatMap(({ name, title, description }) => [
+      `## ${title}`,
+      description,
+      add(name),
+      fence('tsx', blockSource(name), `${name}.tsx`),
+    ]),
+  )
+
 const playground = () =>
   page(
     'Playground',
@@ -209,6 +222,7 @@ const benchmarks = () =>
 export const twins: Record<string, () => string | Promise<string>> = {
   'index.md': home,
   'docs.md': index,
+  'blocks.md': blocksPage,
   'playground.md': playground,
   'benchmarks.md': benchmarks,
   ...Object.fromEntries(docs.map((doc) => [`docs/${doc.slug}.md`, () => docMarkdown(doc)])),

@@ -1,6 +1,7 @@
 import 'server-only'
 import { headings as benchmarkHeadings } from '@/app/benchmarks/headings'
 import registry from '@/registry.json'
+import { blocks } from './blocks'
 import { docs, navigation } from './docs'
 import { headingsOf } from './headings'
 import { pitch } from './home'
@@ -90,6 +91,9 @@ export function searchIndex(): Entry[] {
         }),
       ),
     ...docs.flatMap(entriesOf),
+    ...blocks.map(({ name, title, description }): Entry => {
+      return { kind: 'Block', title, page: 'Blocks', href: `/blocks#${name}`, text: description }
+    }),
     ...benchmarkHeadings.map(({ id, text }): Entry => {
       return { kind: 'Section', title: text, page: 'Benchmarks', href: `/benchmarks#${id}`, text: '' }
     }),

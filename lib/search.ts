@@ -1,5 +1,14 @@
 /** What the index has an entry for. */
-export const kinds = ['Page', 'Section', 'Prop', 'Action', 'Recipe', 'Example', 'Error message'] as const
+export const kinds = [
+  'Page',
+  'Section',
+  'Prop',
+  'Action',
+  'Recipe',
+  'Example',
+  'Block',
+  'Error message',
+] as const
 
 /** One thing that can be found: `page` is the title of the page it stands on, `text` what it says. */
 export type Entry = { kind: (typeof kinds)[number]; title: string; page: string; href: string; text: string }

@@ -14,6 +14,8 @@ export const componentSource = () => addressed(read(componentFile))
 
 export const exampleSource = (name: string) => read('registry', 'examples', `${name}.tsx`)
 
+export const blockSource = (name: string) => read('registry', 'blocks', `${name}.tsx`)
+
 /** The tokens of the registry's item `elevation`. */
 export const elevationSource = () => read('app', 'elevation.css')
 

@@ -1,6 +1,7 @@
 import 'server-only'
 import registry from '@/registry.json'
-import { componentFile, componentSource, exampleSource } from './source'
+import { blocks } from './blocks'
+import { blockSource, componentFile, componentSource, exampleSource } from './source'
 
 const component = registry.items.find(({ name }) => name === 'gravity-stack')!
 
@@ -10,6 +11,9 @@ const shown: Record<string, { path: string; source: () => string }> = {
     path: 'components/gravity-stack-demo.tsx',
     source: () => exampleSource('gravity-stack-demo'),
   },
+  ...Object.fromEntries(
+    blocks.map(({ name }) => [name, { path: `components/${name}.tsx`, source: () => blockSource(name) }]),
+  ),
 }
 
 export const v0Names = Object.keys(shown)

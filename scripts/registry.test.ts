@@ -45,6 +45,17 @@ test('items name each other by address, or by the repository that people add the
   )
 })
 
+test('each block is an item of its own, one file that brings the component along', async () => {
+  const { homepage, items } = await read(join(root, 'registry.json'))
+  const blocks = items.filter(({ type }: { type: string }) => type === 'registry:block')
+  const files = await readdir(join(root, 'registry/blocks'))
+  expect(blocks.map(({ name }: { name: string }) => `${name}.tsx`).sort()).toEqual(files.sort())
+  for (const { name, files, registryDependencies } of blocks) {
+    expect(files).toMatchObject([{ path: `registry/blocks/${name}.tsx` }])
+    expect(registryDependencies).toEqual([`${homepage}/r/gravity-stack.json`])
+  }
+})
+
 test('each item says what it is, whose, and where its docs are', async () => {
   for (const { name } of (await read(join(root, 'registry.json'))).items) {
     const item = await read(join(served, `${name}.json`))
@@ -53,7 +64,7 @@ test('each item says what it is, whose, and where its docs are', async () => {
       description: expect.any(String),
       author: expect.any(String),
       categories: expect.any(Array),
-      meta: { version, homepage: expect.stringContaining('/docs/') },
+      meta: { version, homepage: expect.stringMatching(/\/(docs\/|blocks#)/) },
     })
   }
 })

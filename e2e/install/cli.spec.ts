@@ -152,6 +152,37 @@ test('an example brings the component and its tokens along', async ({ make }) =>
   expect(css).toMatch(/\.dark \{[^}]*--elevation-4: oklch/)
 })
 
+test('every block installs into one project, beside one component, and typechecks there', async ({
+  make,
+}) => {
+  const project = await make('bare')
+  await bare(project)
+  await project.write({
+    'package.json': {
+      name: 'bare',
+      private: true,
+      dependencies: { react: '^19', 'react-dom': '^19', '@types/react': '^19', '@types/react-dom': '^19' },
+    },
+    'tsconfig.json': {
+      compilerOptions: {
+        ...{ jsx: 'react-jsx', module: 'esnext', moduleResolution: 'bundler', target: 'es2023' },
+        ...{ strict: true, noEmit: true, skipLibCheck: true, paths: { '@/*': ['./*'] } },
+      },
+    },
+  })
+  const { items } = JSON.parse(await readFile(join(root, 'registry.json'), 'utf8'))
+  const blocks = items
+    .filter(({ type }: { type: string }) => type === 'registry:block')
+    .map(({ name }: { name: string }) => name)
+  await project.shadcn('add', ...blocks.map((name: string) => `@liten/${name}`), '--yes')
+  for (const name of blocks)
+    expect(await project.read(`components/${name}.tsx`)).toBe(
+      await readFile(join(root, `registry/blocks/${name}.tsx`), 'utf8'),
+    )
+  expect(await project.read(file)).toBe(await source())
+  await project.run(tool('tsc'), [])
+})
+
 test('an older copy shows what changed, is kept unless told otherwise, and updates with --overwrite', async ({
   make,
 }) => {
