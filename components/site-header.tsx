@@ -41,14 +41,14 @@ export function SiteHeader() {
           <Mark className="size-6 shrink-0" />
           <span className="truncate">Gravity Stack</span>
         </a>
-        <nav aria-label="Main" className="hidden gap-1 md:flex">
+        <nav aria-label="Main" className="hidden md:flex lg:gap-1">
           {links.map((link) => (
             <a
               key={link.href}
               href={at(link.href)}
               // The script below marks one before React looks at it.
               suppressHydrationWarning
-              className="rounded-md px-3 py-1.5 text-muted-foreground text-sm transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:text-foreground"
+              className="whitespace-nowrap rounded-md px-2 py-1.5 lg:px-3 text-muted-foreground text-sm transition-colors hover:text-foreground aria-[current]:bg-muted aria-[current]:text-foreground"
             >
               {link.title}
             </a>
