@@ -37,8 +37,11 @@ export const cn = createEngine(tables).merge
     '.contentlayer/no-prefetch.mjs',
     nothing.map((name) => `export function ${name}() {}\n`).join(''),
   )
+  // What runs a server's functions from the browser; a site of files has no server.
+  await writeFile('.contentlayer/no-actions.mjs', 'export const serverActionReducer = (state) => state\n')
   return {
     cn: './.contentlayer/cn.mjs',
+    './reducers/server-action-reducer': './.contentlayer/no-actions.mjs',
     'next/dist/compiled/process': './.contentlayer/process.mjs',
     '../build/polyfills/polyfill-module': './.contentlayer/no-polyfills.mjs',
     // What Next shows for a page that React gave up on, which brings a stylesheet of its own: ours is shorter.
