@@ -6,8 +6,8 @@ import { createWorld } from './simulation'
 // Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie; equal steps give equal
 // bits, so it tells the truth. A chip is then drawn turned from the start: after half a turn its body is the same, and so is the pile.
 
-/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
-const FORESIGHT = 3
+/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs roll on for longer. */
+const FORESIGHT = 6
 /** ms of one slice of this work. */
 export const LOOK_SLICE = 4
 
