@@ -388,7 +388,7 @@ test.describe('without script', () => {
 
   for (const [path, words, count] of [
     ['/playground', /^The playground runs in your browser/, 1],
-    ['/docs/how-it-works', /^This figure is computed in your browser/, 6],
+    ['/docs/how-it-works', /^This figure is computed in your browser/, 7],
     ['/docs/stability', /^This figure is computed in your browser/, 2],
   ] as const) {
     test(`${path} says what needs a script`, async ({ page }) => {
