@@ -33,7 +33,7 @@ test('who types “reduced motion” is told how many results there are, and Ent
   await page.keyboard.press('/')
   await page.keyboard.type('reduced motion')
   await expect(said(page)).toHaveText(/^\d+ results$/)
-  await expect(results(page)).toHaveCount(Number.parseInt(await said(page).innerText(), 10))
+  await expect(results(page)).toHaveCount(Number.parseInt((await said(page).textContent())!, 10))
   await page.keyboard.press('Enter')
   await expect(page).toHaveURL(/\/docs\/accessibility#motion$/)
   await expect(page.getByRole('heading', { name: 'Motion', exact: true })).toBeInViewport()
