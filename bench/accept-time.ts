@@ -1,4 +1,5 @@
-// Times two worlds in turns, in one process: their scripts are the arguments, the new one first. Prints a line of JSON a row.
+// Times two worlds in turns, in one process. The arguments are their scripts, the new one first.
+// Prints a line of JSON a row.
 import { pathToFileURL } from 'node:url'
 import type { createWorld as CreateWorld } from '../registry/gravity-stack/world'
 import { aired } from '../scenes/hard'

@@ -1,4 +1,4 @@
-// `npm run accept` as it is called, and that a broken solver fails in it: for each group a fault of the kind it watches for.
+// `npm run accept` runs as it is called, and a broken solver fails in it: each group meets a fault of its kind.
 import { execFile } from 'node:child_process'
 import { join } from 'node:path'
 import { promisify } from 'node:util'

@@ -155,7 +155,7 @@ export const tossed: Group = {
 const speeds = [200, 400, 800, 1200, 1600]
 const rates = [30, 60, 120, 240]
 
-/** Moves the pointer at a speed, with so many events a second, and lets go: the share of its speed that the chip leaves with. */
+/** Share of the pointer's speed that a thrown chip leaves with, at so many pointer events a second. */
 function playToss(): Run {
   let least = Number.POSITIVE_INFINITY
   let most = 0

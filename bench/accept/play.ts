@@ -9,7 +9,7 @@ import type { Run, Subject } from './row'
 
 type Part = { subject: Subject; seeds: number[] }
 
-/** ms that a part takes at most, but for a single run that takes longer: both processes are to end together. */
+/** ms that a part takes at most, so that both processes end together. A single run may take longer. */
 const mostWeight = 1000
 
 function partsOf(subjects: Subject[], isKnown: (name: string, seed: number) => boolean): Part[] {
@@ -27,7 +27,7 @@ function partsOf(subjects: Subject[], isKnown: (name: string, seed: number) => b
     })
 }
 
-/** Runs that were played before by the same solver in the same scenes: a run that was stopped goes on from there. */
+/** Runs already played by the same solver in the same scenes. A command that was stopped goes on from there. */
 function openKept(bundles: string[]) {
   const digest = createHash('sha256').update(process.version)
   for (const file of bundles) digest.update(readFileSync(file))
