@@ -3,7 +3,7 @@ import { execFile } from 'node:child_process'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { SPIN, STATE, VX, X, Y } from '../registry/gravity-stack/body'
+import { FIRST_CHIP, SPIN, STATE, VX, X, Y } from '../registry/gravity-stack/solver/state'
 import type { World } from '../registry/gravity-stack/world'
 import { groups } from './accept/groups'
 import { holds, type Run } from './accept/row'
@@ -44,14 +44,14 @@ afterEach(() => {
 const adds =
   (at: number, amount: number, from: number, to = from): Fault =>
   (state, step) => {
-    if (step >= from && step <= to) state[STATE + at] += amount
+    if (step >= from && step <= to) state[FIRST_CHIP * STATE + at] += amount
   }
 
 /** The first chip stands 300 px behind the pointer when it is let go. */
 const losesHold: Fault = (state, step) => {
   if (step !== 30) return
-  state[STATE + X] -= 300
-  state[STATE + VX] = 0
+  state[FIRST_CHIP * STATE + X] -= 300
+  state[FIRST_CHIP * STATE + VX] = 0
 }
 
 /** The bounds that a subject misses, played from its first seed. */

@@ -1,6 +1,6 @@
 // A check that can't fail says nothing: each one here meets a solver that is broken in just the way it watches for.
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/body'
+import { SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/solver/state'
 import type { World } from '../registry/gravity-stack/world'
 import { scenes } from '../scenes'
 import { type Check, checks, type FuzzScene } from '../scenes/fuzzed'

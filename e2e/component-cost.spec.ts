@@ -352,7 +352,7 @@ for (const [when, bring] of Object.entries(idle)) {
 }
 
 test('with interactive off a press, a drag and a tap run no line of the hand', async ({ stage, page }) => {
-  const hand = ['pointerMap', 'down', 'hold', 'move2', 'click', 'createHold', 'recordHold']
+  const hand = ['pointerMap', 'down', 'hold', 'move', 'click', 'createJoint', 'movePointer']
   /** Those of them that have run while a chip was pressed, dragged and tapped. */
   const runs = async (props: { interactive?: boolean }) => {
     await stage.settled('pile', { chips: 3, ...props })

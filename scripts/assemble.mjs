@@ -1,4 +1,4 @@
-// Assembles the one file that people copy from the rooms under registry/gravity-stack.
+// Assembles the one file that people copy from the modules under registry/gravity-stack.
 //   node scripts/assemble.mjs           writes components/ui/gravity-stack.tsx
 //   node scripts/assemble.mjs --check   fails when that file is stale
 //   node scripts/assemble.mjs --watch   writes it again on every save
@@ -9,37 +9,45 @@ import { dirname, join } from 'node:path'
 import { committedUrl, version } from '../site.config.mjs'
 import { isMain, root } from './run.mjs'
 
-const rooms = join(root, 'registry/gravity-stack')
+const modules = join(root, 'registry/gravity-stack')
 const output = join(root, 'components/ui/gravity-stack.tsx')
 const entry = 'gravity-stack'
 
-/** What each room is for, as its heading in the file. */
+/** What each module is for, as its heading in the file. */
 const headings = {
-  constants: 'every number, its unit and its reason',
-  body: 'shapes, mass, inertia, the flat arrays that bodies live in',
-  collide: 'two shapes in, contact points out',
-  contacts: 'contacts kept from step to step',
-  impacts: 'bounces, at their time inside the step',
-  solver: 'velocity and position sweeps',
-  pairs: 'which pairs may touch (broad phase)',
-  islands: 'who rests with whom',
-  grab: 'the soft point constraint of a held chip',
-  step: 'one step of all that is awake',
-  simulation: 'what the stage calls',
+  'solver/constants': 'every number of the solver, its unit and what more and less of it does',
+  'solver/state': 'every record and its layout',
+  'solver/math': 'rotation and damping, the same bits in every engine',
+  'solver/body': 'shapes, mass, inertia, extents',
+  'solver/manifold': 'two shapes in, contact points out',
+  'solver/contact': 'pairs that may touch, kept from step to step',
+  'solver/broad-phase': 'which pairs may touch',
+  'solver/islands': 'who rests with whom',
+  'solver/sleep': 'rest and waking',
+  'solver/regime': 'how exactly a step is solved',
+  'solver/integrate': 'velocities and positions through a sub-step',
+  'solver/contact-solver': 'impulses of contacts and friction',
+  'solver/position-correction': 'overlap taken out of poses',
+  'solver/restitution': 'impacts, at their time inside a sub-step',
+  'solver/prepare': 'what contacts ask of a sub-step',
+  'solver/make-room': 'after walls have moved or chips have grown',
+  'solver/mouse-joint': 'the soft point constraint of a held chip',
+  'solver/step': 'the algorithm: one step of all that is awake',
+  'solver/world': 'what the stage calls',
   drop: 'where and when each chip starts',
   kick: 'hops and shakes',
+  chip: 'how a chip looks, and how it is drawn',
   'release-queue': 'whose turn it is, and the clock of the stage',
   'look-ahead': 'how each chip will lie, before anyone sees it',
   input: 'what a caller may pass, and what stands in for the rest',
-  chip: 'how a chip looks, and how it is drawn',
-  pointers: 'presses, drags and taps',
   view: 'what of a stage is in view',
   loop: 'a call in every frame',
+  pointers: 'presses, drags and taps',
   stage: 'the DOM: measure, paint, observe, loop',
   'gravity-stack': 'the React component',
 }
 
-/** For owners whose TypeScript doubts every index (noUncheckedIndexedAccess); the rooms themselves stay precise. */
+/** For owners whose TypeScript doubts every index (noUncheckedIndexedAccess); the modules themselves stay precise. */
 const trust = `// The solver reads from its arrays only what it wrote there, so no read of them is undefined.
 type Trusted<T> = T & { [index: number]: ReturnType<typeof JSON.parse> }
 type Float64Array = Trusted<globalThis.Float64Array>
@@ -52,8 +60,8 @@ const DECLARED =
   /^(?:export )?(?:declare )?(?:async )?(?:function\*?|const|let|class|interface|type|enum) (\w+)/gm
 const UNNAMED = /^(?:export )?(?:const|let) [[{]|^export (?:default|\*|\{)/m
 
-async function readRoom(name) {
-  const path = join(rooms, `${name}.${name === entry ? 'tsx' : 'ts'}`)
+async function readModule(name) {
+  const path = join(modules, `${name}.${name === entry ? 'tsx' : 'ts'}`)
   const source = await readFile(path, 'utf8')
   const imports = [...source.matchAll(IMPORT)].map(([text, from]) => ({ text, from }))
   if (UNNAMED.test(source)) throw new Error(`${path}: declare and export by name, one at a time`)
@@ -62,21 +70,25 @@ async function readRoom(name) {
 
 const rank = (name) => Object.keys(headings).indexOf(name)
 
-/** The rooms that `entry` needs, each after those it imports, else in the order of the headings. */
+/** The modules that `entry` needs, in the order of the headings: each after those it imports. */
 async function inOrder() {
-  const ordered = []
-  const visit = async (name, from = []) => {
-    if (from.includes(name)) throw new Error(`Rooms import each other: ${[...from, name].join(' → ')}`)
-    if (ordered.some((room) => room.name === name)) return
-    const room = await readRoom(name)
-    const renamed = room.imports.find(({ text, from }) => from.startsWith('.') && /\sas\s/.test(text))
-    if (renamed) throw new Error(`${room.path}: ${renamed.from} is imported under another name`)
-    const needed = room.imports.flatMap(({ from }) => (from.startsWith('.') ? [from.slice(2)] : []))
-    for (const other of needed.sort((a, b) => rank(a) - rank(b))) await visit(other, [...from, name])
-    ordered.push(room)
+  const needed = new Map()
+  const visit = async (name) => {
+    if (needed.has(name)) return
+    needed.set(name, undefined)
+    const module = await readModule(name)
+    needed.set(name, module)
+    const renamed = module.imports.find(({ text, from }) => from.startsWith('.') && /\sas\s/.test(text))
+    if (renamed) throw new Error(`${module.path}: ${renamed.from} is imported under another name`)
+    for (const { from } of module.imports) {
+      if (!from.startsWith('.')) continue
+      const other = join(dirname(name), from)
+      if (!(rank(other) < rank(name))) throw new Error(`${name} imports ${other}, whose heading comes later`)
+      await visit(other)
+    }
   }
   await visit(entry)
-  return ordered
+  return Object.keys(headings).flatMap((name) => needed.get(name) ?? [])
 }
 
 /** In one file every top-level name is there once. */
@@ -153,7 +165,7 @@ if (isMain(import.meta.url)) {
     await write()
     if (process.argv.includes('--watch')) {
       let timer
-      watch(rooms, () => {
+      watch(modules, { recursive: true }, () => {
         clearTimeout(timer)
         timer = setTimeout(() => write().catch((error) => console.error(error.message)), 50)
       })

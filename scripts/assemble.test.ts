@@ -29,21 +29,21 @@ describe('the one file', () => {
     expect(source).not.toMatch(/^export default/m)
   })
 
-  it('has a heading for each room, after those it builds on', () => {
-    const rooms = [...source.matchAll(/^\/\/ ([\w-]+): .* ─+$/gm)].map(([, name]) => name)
-    expect(rooms[0]).toBe('constants')
-    expect(rooms.indexOf('body')).toBeLessThan(rooms.indexOf('simulation'))
-    expect(rooms.slice(rooms.indexOf('simulation'))).toEqual([
-      'simulation',
+  it('has a heading for each module, after those it builds on', () => {
+    const modules = [...source.matchAll(/^\/\/ ([\w/-]+): .* ─+$/gm)].map(([, name]) => name)
+    expect(modules[0]).toBe('solver/constants')
+    expect(modules.indexOf('solver/body')).toBeLessThan(modules.indexOf('solver/world'))
+    expect(modules.slice(-12)).toEqual([
+      'solver/world',
       'drop',
       'kick',
       'chip',
       'release-queue',
       'look-ahead',
       'input',
-      'pointers',
       'view',
       'loop',
+      'pointers',
       'stage',
       'component',
     ])

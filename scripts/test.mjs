@@ -66,7 +66,7 @@ await step('A browser is here', async () => {
 })
 await check('Code is formatted and clean', ['biome', 'check'])
 await check('Words are spelt right', ['cspell', '--no-progress', '--no-summary'])
-await check('The one file is what its rooms assemble to', ['node', 'scripts/assemble.mjs', '--check'])
+await check('The one file is what its modules assemble to', ['node', 'scripts/assemble.mjs', '--check'])
 await check('The registry is valid', ['shadcn', 'registry', 'validate'])
 await check('The served registry is what a fresh build gives', ['node', 'scripts/registry.mjs', '--check'])
 await check('The one file holds in the strictest projects', ['tsc', '-p', 'tsconfig.strictest.json'])

@@ -1,6 +1,18 @@
-import { INV_MASS, STATE, X, Y } from '@/registry/gravity-stack/body'
-import { STEP } from '@/registry/gravity-stack/constants'
-import { CONTACT, DRAG, LOAD, NB, NX, NY, POINTS, SECOND, TB } from '@/registry/gravity-stack/contacts'
+import {
+  ARM_NB,
+  ARM_TB,
+  CONTACT,
+  FIRST_CHIP,
+  INV_MASS,
+  NORMAL_IMPULSE,
+  NORMAL_X,
+  NORMAL_Y,
+  SECOND,
+  STATE,
+  TANGENT_IMPULSE,
+  X,
+  Y,
+} from '@/registry/gravity-stack/solver/state'
 import type { World } from '@/registry/gravity-stack/world'
 
 // Looks into a world for those who draw what the solver thinks: its contacts, as it holds them after a step.
@@ -26,9 +38,9 @@ type Inspection = {
 
 export function inspect({ scene }: World): Inspection {
   const { bodies, contacts } = scene
-  const { data, pair } = contacts
+  const { data, pair, points } = contacts
   const islands = new Map<number, number>()
-  for (let id = 1; id < bodies.count; id++) if (bodies.alive[id]) islands.set(id, id)
+  for (let id = FIRST_CHIP; id < bodies.count; id++) if (bodies.alive[id]) islands.set(id, id)
   const find = (id: number): number => {
     const next = islands.get(id) ?? id
     return next === id ? id : find(next)
@@ -41,24 +53,24 @@ export function inspect({ scene }: World): Inspection {
     if (b === 0) continue
     pairs++
     const k = c * CONTACT
-    if (data[k + POINTS] === 0) continue
+    if (points[c] === 0) continue
     count++
-    if (a > 0) {
+    if (a >= FIRST_CHIP) {
       const [i, j] = [find(a), find(b)]
       islands.set(Math.max(i, j), Math.min(i, j))
     }
-    const [nx, ny] = [data[k + NX], data[k + NY]]
-    const rate = scene.substeps / STEP
-    const whole = data[k + LOAD] + data[k + LOAD + SECOND]
-    for (let point = 0; point < data[k + POINTS]; point++) {
+    const [nx, ny] = [data[k + NORMAL_X], data[k + NORMAL_Y]]
+    const rate = 1 / scene.h
+    const whole = data[k + NORMAL_IMPULSE] + data[k + NORMAL_IMPULSE + SECOND]
+    for (let point = 0; point < points[c]; point++) {
       const record = k + point * SECOND
-      // From its centre, the point of B lies `TB` along the normal and `NB` across it.
-      const arm = data[record + NB]
-      const load = data[record + LOAD] * rate
-      const drag = whole > 0 ? (data[k + DRAG] * load) / whole : 0
+      // From its centre, the point of B lies `ARM_TB` along the normal and `ARM_NB` across it.
+      const arm = data[record + ARM_NB]
+      const load = data[record + NORMAL_IMPULSE] * rate
+      const drag = whole > 0 ? (data[k + TANGENT_IMPULSE] * load) / whole : 0
       touches.push({
-        x: bodies.state[b * STATE + X] + data[k + TB] * nx + arm * ny,
-        y: bodies.state[b * STATE + Y] + data[k + TB] * ny - arm * nx,
+        x: bodies.state[b * STATE + X] + data[k + ARM_TB] * nx + arm * ny,
+        y: bodies.state[b * STATE + Y] + data[k + ARM_TB] * ny - arm * nx,
         forceX: nx * load - ny * drag,
         forceY: ny * load + nx * drag,
       })
@@ -72,7 +84,7 @@ export function inspect({ scene }: World): Inspection {
 export function meanMass({ scene: { bodies } }: World): number {
   let sum = 0
   let count = 0
-  for (let id = 1; id < bodies.count; id++) {
+  for (let id = FIRST_CHIP; id < bodies.count; id++) {
     if (!bodies.alive[id]) continue
     sum += 1 / bodies.state[id * STATE + INV_MASS]
     count++

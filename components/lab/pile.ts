@@ -61,15 +61,15 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       coming.clock += frame
       while (coming.chips[0]?.due <= coming.clock) {
         const next = coming.chips.shift()!
-        next.id = addReleased({ world, chips }, next, world.scene.walls.width, world.scene.gravity)
+        next.id = addReleased({ world, chips }, next, world.scene.width, world.scene.gravity)
         ids.push(next.id)
       }
       world.step(frame)
     },
     /** Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether it is far enough ahead. */
     plan() {
-      const { walls, gravity } = world.scene
-      const done = lookAhead.advance({ world, chips }, coming, walls.width, gravity)
+      const { width, gravity } = world.scene
+      const done = lookAhead.advance({ world, chips }, coming, width, gravity)
       for (const chip of ids.map((id) => chips[id])) {
         const { y, angle } = world.read(chip.id)
         chip.seen ||= y + halfExtent(chip, angle)[1] > 0

@@ -177,15 +177,14 @@ export function Playground() {
 
 function Numbers({ work }: { work: Work }) {
   // Contacts outlast their work: on a stage at rest nothing is done about them.
-  const { awake, pairs, contacts, islands, substeps, micros } = work.resting ? idle : work
+  const { awake, pairs, contacts, substeps, micros } = work.resting ? idle : work
   return (
     <dl className="flex flex-wrap gap-x-4 gap-y-1 border-t px-4 py-3 text-muted-foreground text-sm tabular-nums [@media(scripting:none)]:hidden">
       {Object.entries({
         'awake chips': awake,
         pairs,
         contacts,
-        islands,
-        'sub-steps, all islands': substeps,
+        'sub-steps': substeps,
         'µs a step': Math.round(micros).toLocaleString('en'),
       }).map(([name, value]) => (
         <div key={name} className="flex gap-2">

@@ -12,7 +12,6 @@ export const idle = {
   awake: 0,
   pairs: 0,
   contacts: 0,
-  islands: 0,
   substeps: 0,
   micros: 0,
   resting: false,

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { chipDistance, type Pose } from '../../scenes/exact-distance'
-import { STEP } from './constants'
 import { reach, releasePose, releaseTime, scatter } from './drop'
+import { STEP } from './solver/constants'
 
 const pose = (index: number, width = 80, height = 36, stage = 640, gravity = 2600) =>
   releasePose(index, width, height, stage, gravity, [])

@@ -1,5 +1,5 @@
-import { ANGULAR_DAMPING } from './constants'
 import { scatter } from './drop'
+import { ANGULAR_DAMPING } from './solver/constants'
 
 /** px/s² of the least gravity that kicks are made for. */
 const KICK_GRAVITY = 100

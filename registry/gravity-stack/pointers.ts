@@ -1,6 +1,9 @@
 import type { Chip } from './chip'
-import { TOUCH_DRAG_START, TOUCH_HOLD } from './constants'
-import type { Grab } from './simulation'
+import type { Grab } from './solver/world'
+
+/** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
+export const TOUCH_HOLD = 180
+export const TOUCH_DRAG_START = 8
 
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97

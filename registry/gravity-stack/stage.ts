@@ -1,5 +1,4 @@
 import { type Chip, draw, halfHeight, look, round, tellAngle } from './chip'
-import { STEP } from './constants'
 import { reach } from './drop'
 import { LIMITS, sane, warn, written } from './input'
 import { kickOf } from './kick'
@@ -7,7 +6,8 @@ import { createLookAhead, LOOK_SLICE, uprightTurn } from './look-ahead'
 import { createLoop } from './loop'
 import { createPointers, FIRST, hearing } from './pointers'
 import { addReleased, createReleaseQueue } from './release-queue'
-import { createWorld, type World } from './simulation'
+import { STEP } from './solver/constants'
+import { createWorld, type World } from './solver/world'
 import { observersOf, shownAtMost, type View, watched } from './view'
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */

@@ -1,8 +1,23 @@
-import { ANGLE, INV_INERTIA, INV_MASS, SPIN, STATE, VX, VY, X, Y } from './body'
-import { CONTACT, HITS, MEASURED, POINTS, SUBSTEPS_TAKEN, SWEPT, VISITED } from './contacts'
-import { createWorld as createBareWorld, type WorldOptions } from './simulation'
+import {
+  ANGLE,
+  CONTACTS_VISITED,
+  FIRST_CHIP,
+  IMPACTS_SOLVED,
+  INV_INERTIA,
+  INV_MASS,
+  ITERATIONS_TAKEN,
+  MANIFOLDS_MADE,
+  SPIN,
+  STATE,
+  SUBSTEPS_TAKEN,
+  VX,
+  VY,
+  X,
+  Y,
+} from './solver/state'
+import { createWorld as createBareWorld, type WorldOptions } from './solver/world'
 
-export type { BodyOptions, Grab, Motion, WorldOptions } from './simulation'
+export type { BodyOptions, Grab, Motion, WorldOptions } from './solver/world'
 
 export interface Reading {
   x: number
@@ -19,7 +34,7 @@ export type World = ReturnType<typeof createWorld>
 /** A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people copy. */
 export function createWorld(options: WorldOptions) {
   const world = createBareWorld(options)
-  const { bodies, contacts, islands, work } = world.scene
+  const { bodies, contacts, work } = world.scene
   const { step } = world
   let acted = false
 
@@ -30,7 +45,7 @@ export function createWorld(options: WorldOptions) {
       step(seconds)
     },
 
-    /** What the world did in the last call of its `step`; `awake` and `islands` are of its last step. */
+    /** What the world did in the last call of its `step`; `awake` is of its last step. */
     get stats() {
       let pairs = 0
       let touching = 0
@@ -38,24 +53,23 @@ export function createWorld(options: WorldOptions) {
       for (let c = 0; c < contacts.count; c++) {
         if (contacts.pair[2 * c + 1] === 0) continue
         pairs++
-        const here = contacts.data[c * CONTACT + POINTS]
+        const here = contacts.points[c]
         if (here > 0) touching++
         points += here
       }
       return {
-        awake: acted ? islands.bodyStart[islands.count] : 0,
-        islands: acted ? islands.count : 0,
+        awake: acted ? bodies.awakeCount : 0,
         substeps: work[SUBSTEPS_TAKEN],
-        sweeps: work[SWEPT],
+        sweeps: work[ITERATIONS_TAKEN],
         pairs,
         /** Pairs measured. */
-        narrow: work[MEASURED],
+        narrow: work[MANIFOLDS_MADE],
         contacts: touching,
         points,
-        /** Contacts visited by the sweeps over impacts. */
-        hits: work[HITS],
-        /** Contacts visited by the sweeps over velocities. */
-        rows: work[VISITED],
+        /** Impacts solved. */
+        hits: work[IMPACTS_SOLVED],
+        /** Visits of contacts by the iterations over velocities. */
+        rows: work[CONTACTS_VISITED],
       }
     },
 
@@ -85,7 +99,7 @@ export function createWorld(options: WorldOptions) {
     /** Digest of every pose and velocity, bit for bit (FNV-1a). */
     hash(): string {
       let hash = 0x811c9dc5
-      for (let i = 1; i < bodies.count; i++) {
+      for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (bodies.alive[i] === 0) continue
         const words = new Uint32Array(bodies.state.slice(i * STATE, i * STATE + 6).buffer)
         for (const word of words) hash = Math.imul(hash ^ word, 0x01000193)

@@ -1,29 +1,14 @@
 import { describe, expect, it } from 'vitest'
-import { massOf } from '../../scenes/references'
-import { seeded } from '../../scenes/seeded'
-import {
-  ANGLE,
-  air,
-  Bodies,
-  COS,
-  grow,
-  INV_INERTIA,
-  INV_MASS,
-  MAX_DAMPING,
-  MOTION,
-  orient,
-  SIN,
-  STATE,
-  setPose,
-  setShape,
-  turn,
-} from './body'
+import { massOf } from '../../../scenes/references'
+import { seeded } from '../../../scenes/seeded'
+import { setShape } from './body'
 import { STEP } from './constants'
+import { dampingOver, MAX_DAMPING, updateRotation } from './math'
+import { ANGLE, Bodies, COS, INV_INERTIA, INV_MASS, SIN, STATE } from './state'
 
 /** Area and second moment as the solver has them, for density 1. */
 function weigh(width: number, height: number, radius: number, density = 1) {
   const bodies = new Bodies()
-  grow(bodies, 2)
   setShape(bodies, 1, width, height, radius, density)
   return { mass: 1 / bodies.state[STATE + INV_MASS], inertia: 1 / bodies.state[STATE + INV_INERTIA] }
 }
@@ -95,14 +80,15 @@ describe('mass and inertia', () => {
   })
 })
 
-describe('orient', () => {
+describe('rotation', () => {
   it('is cosine and sine to 1e-15 all the way round', () => {
-    const { state, motion } = new Bodies()
+    const bodies = new Bodies()
+    const { state, motion } = bodies
     let worst = 0
     for (let i = 0; i <= 100_000; i++) {
       const angle = -Math.PI + (2 * Math.PI * i) / 100_000
       state[ANGLE] = angle
-      orient(state, motion, 0)
+      updateRotation(bodies, 0)
       worst = Math.max(
         worst,
         Math.abs(motion[COS] - Math.cos(angle)),
@@ -113,12 +99,13 @@ describe('orient', () => {
   })
 
   it('loses no more than the angle itself has lost after hundreds of turns', () => {
-    const { state, motion } = new Bodies()
+    const bodies = new Bodies()
+    const { state, motion } = bodies
     const random = seeded(2)
     for (let i = 0; i < 10_000; i++) {
       const angle = 4000 * (random() - 0.5)
       state[ANGLE] = angle
-      orient(state, motion, 0)
+      updateRotation(bodies, 0)
       const rounding = 1e-15 + 2.3e-16 * Math.abs(angle)
       expect(Math.abs(motion[COS] - Math.cos(angle))).toBeLessThan(rounding)
       expect(Math.abs(motion[SIN] - Math.sin(angle))).toBeLessThan(rounding)
@@ -126,55 +113,11 @@ describe('orient', () => {
   })
 })
 
-describe('turn', () => {
-  it.each([60, 240, 480])(
-    'is 1e-9 rad off at most after a second in %i steps, however fast it spins',
-    (steps) => {
-      const bodies = new Bodies()
-      grow(bodies, 2)
-      for (let speed = 1; speed <= 60; speed++) {
-        setPose(bodies, 1, 0, 0, 0.7)
-        for (let k = 1; k <= steps; k++) {
-          bodies.state[STATE + 2] = 0.7 + (speed * k) / steps
-          turn(bodies.state, bodies.motion, 1)
-        }
-        const cos = bodies.motion[MOTION + COS]
-        const sin = bodies.motion[MOTION + SIN]
-        const angle = 0.7 + speed
-        expect(Math.abs(Math.atan2(sin * Math.cos(angle) - cos * Math.sin(angle), 1))).toBeLessThan(1e-9)
-      }
-    },
-  )
-
-  it('keeps the length of the heading through a million turns', () => {
-    const bodies = new Bodies()
-    grow(bodies, 2)
-    setPose(bodies, 1, 0, 0, 0)
-    for (let k = 1; k <= 1e6; k++) {
-      bodies.state[STATE + 2] += 0.29 * Math.sin(k)
-      turn(bodies.state, bodies.motion, 1)
-    }
-    expect(Math.hypot(bodies.motion[MOTION + COS], bodies.motion[MOTION + SIN])).toBeCloseTo(1, 13)
-  })
-
-  it('takes leaps of any size', () => {
-    const bodies = new Bodies()
-    grow(bodies, 2)
-    setPose(bodies, 1, 0, 0, 0)
-    for (const angle of [0.31, 3, -9, 100, 100 + 1e-9]) {
-      bodies.state[STATE + 2] = angle
-      turn(bodies.state, bodies.motion, 1)
-      expect(bodies.motion[MOTION + COS]).toBeCloseTo(Math.cos(angle), 12)
-      expect(bodies.motion[MOTION + SIN]).toBeCloseTo(Math.sin(angle), 12)
-    }
-  })
-})
-
-describe('air', () => {
+describe('damping', () => {
   it('slows and carries as the exponential says, for any drag and any step', () => {
     for (const damping of [0.01, 0.35, 1.4, 7, MAX_DAMPING]) {
       for (const h of [STEP, STEP / 4, STEP / 16]) {
-        const { fade, reach, fall } = air(damping, h)
+        const { fade, reach, fall } = dampingOver(damping, h)
         const lost = -Math.expm1(-damping * h)
         expect(fade).toBeCloseTo(Math.exp(-damping * h), 14)
         expect(reach / (lost / damping)).toBeCloseTo(1, 13)
@@ -185,12 +128,12 @@ describe('air', () => {
   })
 
   it('without drag is the parabola', () => {
-    expect(air(0, 0.01)).toEqual({ fade: 1, reach: 0.01, fall: 0.01 * 0.01 * 0.5 })
+    expect(dampingOver(0, 0.01)).toEqual({ fade: 1, reach: 0.01, fall: 0.01 * 0.01 * 0.5 })
   })
 
   it('gives the same fall in sixteen parts as in one', () => {
-    const whole = air(1.4, STEP)
-    const part = air(1.4, STEP / 16)
+    const whole = dampingOver(1.4, STEP)
+    const part = dampingOver(1.4, STEP / 16)
     let [x, v] = [0, 300]
     for (let k = 0; k < 16; k++) {
       x += v * part.reach + 2600 * part.fall

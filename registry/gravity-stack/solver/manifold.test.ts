@@ -1,26 +1,31 @@
 import { describe, expect, it } from 'vitest'
-import { chipDistance, cornerRadius, type Pose, type Shape, stageDistance } from '../../scenes/exact-distance'
-import { seeded } from '../../scenes/seeded'
-import { Bodies, grow, setPose, setShape } from './body'
 import {
-  AX,
-  AY,
-  BX,
-  BY,
+  chipDistance,
+  cornerRadius,
+  type Pose,
+  type Shape,
+  stageDistance,
+} from '../../../scenes/exact-distance'
+import { seeded } from '../../../scenes/seeded'
+import { setPose, setShape } from './body'
+import {
+  ARM_AX,
+  ARM_AY,
+  ARM_BX,
+  ARM_BY,
   COUNT,
   collide,
-  collideWall,
   DISTANCE,
   GAP,
-  NORMAL_X,
-  NORMAL_Y,
+  MANIFOLD_NX,
+  MANIFOLD_NY,
+  manifold,
   POINT,
-  touch,
   WIDEST,
-} from './collide'
+} from './manifold'
+import { Bodies } from './state'
 
 const bodies = new Bodies()
-grow(bodies, 3)
 
 function put(i: number, shape: Shape, pose: Pose) {
   setShape(bodies, i, shape.width, shape.height, shape.radius ?? 0, 1)
@@ -31,20 +36,20 @@ function put(i: number, shape: Shape, pose: Pose) {
 function contact(a: Shape, poseA: Pose, b: Shape, poseB: Pose, margin = Infinity) {
   put(1, a, poseA)
   put(2, b, poseB)
-  touch[WIDEST] = margin
+  manifold[WIDEST] = margin
   collide(bodies, 1, 2)
   return seen(poseA, poseB)
 }
 
 function seen(poseA: Pose, poseB: Pose) {
   return {
-    gap: touch[DISTANCE],
-    nx: touch[NORMAL_X],
-    ny: touch[NORMAL_Y],
-    points: Array.from({ length: touch[COUNT] }, (_, k) => ({
-      onA: { x: poseA.x + touch[k * POINT + AX], y: poseA.y + touch[k * POINT + AY] },
-      onB: { x: poseB.x + touch[k * POINT + BX], y: poseB.y + touch[k * POINT + BY] },
-      gap: touch[k * POINT + GAP],
+    gap: manifold[DISTANCE],
+    nx: manifold[MANIFOLD_NX],
+    ny: manifold[MANIFOLD_NY],
+    points: Array.from({ length: manifold[COUNT] }, (_, k) => ({
+      onA: { x: poseA.x + manifold[k * POINT + ARM_AX], y: poseA.y + manifold[k * POINT + ARM_AY] },
+      onB: { x: poseB.x + manifold[k * POINT + ARM_BX], y: poseB.y + manifold[k * POINT + ARM_BY] },
+      gap: manifold[k * POINT + GAP],
     })),
   }
 }
@@ -281,6 +286,18 @@ describe('two chips', () => {
 
 describe('a chip and a wall', () => {
   const stage = { width: 900, height: 700 }
+  // Walls are boxes, far larger than any chip.
+  const wide = { width: 1000, height: 1e6 }
+  const walls: [Shape, Pose][] = [
+    [
+      { width: 1e6, height: 1000 },
+      { x: 450, y: 1200, angle: 0 },
+    ],
+    [wide, { x: -500, y: 0, angle: 0 }],
+    [wide, { x: 1400, y: 0, angle: 0 }],
+  ]
+  const meet = (shape: Shape, pose: Pose, wall: number, widest: number) =>
+    contact(walls[wall][0], walls[wall][1], shape, pose, widest)
   const names = ['floor', 'left', 'right'] as const
   const normals = { floor: [0, -1], left: [1, 0], right: [-1, 0] }
 
@@ -290,14 +307,12 @@ describe('a chip and a wall', () => {
       const shape = anyShape(random)
       const quarter = random() < 0.3 ? (Math.PI / 2) * Math.floor(8 * random() - 4) : 14 * (random() - 0.5)
       const pose = { x: 900 * random(), y: 700 * random(), angle: quarter }
-      put(1, shape, pose)
       const want = stageDistance(shape, pose, stage)
       names.forEach((name, wall) => {
-        touch[WIDEST] = Infinity
-        collideWall(bodies, stage, 1, wall + 1)
         const [nx, ny] = normals[name]
-        const { gap, points, ...normal } = seen({ x: 0, y: 0, angle: 0 }, pose)
-        expect([normal.nx, normal.ny]).toEqual([nx, ny])
+        const { gap, points, ...normal } = meet(shape, pose, wall, Infinity)
+        expect(normal.nx).toBeCloseTo(nx, 12)
+        expect(normal.ny).toBeCloseTo(ny, 12)
         expect(Math.abs(gap - want[name])).toBeLessThan(exact)
         const from = name === 'floor' ? stage.height : name === 'right' ? stage.width : 0
         const depths = points.map(({ onB, gap: own }) => {
@@ -315,19 +330,12 @@ describe('a chip and a wall', () => {
 
   it('touch at the two ends of a side that lies flat, at one point of a disc', () => {
     const flat = { x: 300, y: 685.2, angle: 0 }
-    touch[WIDEST] = 0.5
-    put(1, { width: 80, height: 30, radius: 15 }, flat)
-    collideWall(bodies, stage, 1, 1)
-    const { points } = seen({ x: 0, y: 0, angle: 0 }, flat)
-    expect(points.map(({ onB }) => onB.x).sort()).toEqual([275, 325])
+    const pill = { width: 80, height: 30, radius: 15 }
+    const { points } = meet(pill, flat, 0, 0.5)
+    const ends = points.map(({ onB }) => onB.x).sort()
+    expect(ends).toEqual([expect.closeTo(275, 9), expect.closeTo(325, 9)])
     for (const point of points) expect(point.gap).toBeCloseTo(-0.2, 9)
-
-    put(1, { width: 30, height: 30, radius: 15 }, flat)
-    collideWall(bodies, stage, 1, 1)
-    expect(touch[COUNT]).toBe(1)
-
-    put(1, { width: 80, height: 30, radius: 15 }, { ...flat, y: 684 })
-    collideWall(bodies, stage, 1, 1)
-    expect(touch[COUNT]).toBe(0)
+    expect(meet({ ...pill, width: 30 }, flat, 0, 0.5).points).toHaveLength(1)
+    expect(meet(pill, { ...flat, y: 684 }, 0, 0.5).points).toHaveLength(0)
   })
 })

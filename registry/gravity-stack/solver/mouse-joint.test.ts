@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest'
-import { chipDistance } from '../../scenes/exact-distance'
-import { pourChips } from '../../scenes/piles'
-import { type Chip, frame } from '../../scenes/scene'
-import { createHold } from './grab'
-import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
+import { chipDistance } from '../../../scenes/exact-distance'
+import { pourChips } from '../../../scenes/piles'
+import { type Chip, frame } from '../../../scenes/scene'
+import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from '../testing'
+import { createJoint } from './mouse-joint'
 
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }
 const floor = stage.height
@@ -370,7 +370,7 @@ describe('a chip let go', () => {
       for (let n = 1; n <= 20; n++) grab.moveTo(120 + 8 * (k + n / 20), 100, k * frame)
       world.step(frame)
     }
-    expect(world.scene.holds[0].samples.length).toBeLessThan(8)
+    expect(world.scene.joints[0].samples.length).toBeLessThan(8)
     grab.release()
     expect(world.read(ids[0]).vx).toBeCloseTo(480, 6)
   })
@@ -522,9 +522,9 @@ describe('a chip let go', () => {
     run(world, 0.1)
     const { x, y, angle } = world.read(ids[0])
     const [cos, sin] = [Math.cos(angle), Math.sin(angle)]
-    const hold = createHold(world.scene.bodies, ids[0], x + 30 * cos - 5 * sin, y + 30 * sin + 5 * cos)
-    expect(hold.localX).toBeCloseTo(30, 6)
-    expect(hold.localY).toBeCloseTo(5, 6)
+    const joint = createJoint(world.scene.bodies, ids[0], x + 30 * cos - 5 * sin, y + 30 * sin + 5 * cos)
+    expect(joint.localX).toBeCloseTo(30, 6)
+    expect(joint.localY).toBeCloseTo(5, 6)
   })
 
   it('is not thrown by one of two hands while the other holds it', () => {

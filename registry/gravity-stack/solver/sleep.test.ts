@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest'
-import { halfExtent } from '../../scenes/exact-distance'
-import { hardScenes } from '../../scenes/hard'
-import { pourChips, pourStage } from '../../scenes/piles'
-import { type Chip, frame } from '../../scenes/scene'
-import { seeded } from '../../scenes/seeded'
-import { overlap, readAll, run, settle, stage, worldOf } from './testing'
+import { halfExtent } from '../../../scenes/exact-distance'
+import { hardScenes } from '../../../scenes/hard'
+import { pourChips, pourStage } from '../../../scenes/piles'
+import { type Chip, frame } from '../../../scenes/scene'
+import { seeded } from '../../../scenes/seeded'
+import { overlap, readAll, run, settle, stage, worldOf } from '../testing'
 
 const box = { width: 60, height: 40, angle: 0 }
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }
@@ -427,6 +427,6 @@ describe('a sleeping chip sleeps on', () => {
     world.add({ ...pill, x: 80, y: -4000 })
     run(world, 0.5)
     expect(world.stats.awake).toBe(1)
-    expect(world.stats.sweeps).toBe(0)
+    expect(world.stats.rows).toBe(0)
   })
 })

@@ -1,18 +1,4 @@
-import {
-  ANGLE,
-  capSpeed,
-  grow,
-  INV_MASS,
-  MAX_DAMPING,
-  SPIN,
-  STATE,
-  setPose,
-  setShape,
-  VX,
-  VY,
-  X,
-  Y,
-} from './body'
+import { capSpeed, setPose, setShape } from './body'
 import {
   ANGULAR_DAMPING,
   BOUNCE,
@@ -21,15 +7,32 @@ import {
   GRAVITY,
   LINEAR_DAMPING,
   MAX_SPEED,
-  PATIENCE,
-  ROOM_STEPS,
   STEP,
   SUBSTEPS,
+  WEDGED_STEPS,
 } from './constants'
-import { CONTACT, DRAG, DUE, forgetContact, LOAD, SECOND } from './contacts'
-import { createHold, recordHold, throwVelocity } from './grab'
-import { enterPairs, leavePairs } from './pairs'
-import { disturb, makeRoom, rouse, Simulation, stepOnce, wake } from './step'
+import { removeContact, resetContact } from './contact'
+import { makeRoom } from './make-room'
+import { dampingOver, grow, MAX_DAMPING } from './math'
+import { createJoint, movePointer, throwBody } from './mouse-joint'
+import { wake, wakeAlone, wakeTouching } from './sleep'
+import {
+  ANGLE,
+  CONTACT,
+  FIRST_CHIP,
+  INV_MASS,
+  NORMAL_IMPULSE,
+  SECOND,
+  Simulation,
+  SPIN,
+  STATE,
+  TANGENT_IMPULSE,
+  VX,
+  VY,
+  X,
+  Y,
+} from './state'
+import { step } from './step'
 
 export interface WorldOptions {
   /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
@@ -75,8 +78,8 @@ export interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is slow, with its own; at most `MAX_TOSS`.
-   * A body that another hand still holds is not thrown.
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is
+   * slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
    */
   release(): void
 }
@@ -89,28 +92,34 @@ export type World = ReturnType<typeof createWorld>
  */
 export function createWorld(options: WorldOptions) {
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
-  const scene = new Simulation(
-    substeps,
-    within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING),
-    within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING),
-  )
-  const { bodies, contacts, walls, holds, pairs, islands, impacts } = scene
-  walls.width = size(options.width)
-  walls.height = size(options.height)
+  const scene = new Simulation()
+  const { bodies, contacts, impactRegime, joints } = scene
+  scene.substeps = substeps
+  scene.left = 0
+  scene.h = STEP / substeps
+  scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
+  scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
+  impactRegime.relaxation = 1
   scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
   const pose: Float64Array = new Float64Array(3)
+  // Floor and walls.
+  for (let i = 0; i < FIRST_CHIP; i++) {
+    bodies.order[bodies.orderCount++] = i
+    setShape(bodies, i, i > 0 ? THICK : FAR, i > 0 ? FAR : THICK, 0, Infinity)
+  }
+  enclose(size(options.width), size(options.height))
 
   return {
     /** Adds a body and returns its id. */
     add(body: BodyOptions): number {
       const i = scene.freeSlots.pop() ?? bodies.count++
-      const capacity = bodies.alive.length
-      if (capacity < bodies.count)
-        for (const owner of [bodies, contacts, pairs, islands, impacts]) grow(owner, capacity > 1 ? 2 : 32)
+      if (bodies.alive.length < bodies.count) grow(bodies)
+      // Lists of contacts are by body, contacts by need.
+      while (contacts.head.length < bodies.count) grow(contacts)
       const { density } = body
       bodies.density[i] = within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
@@ -118,8 +127,10 @@ export function createWorld(options: WorldOptions) {
       put(i, body)
       bodies.alive[i] = 1
       bodies.held[i] = 0
-      rouse(bodies, i)
-      enterPairs(pairs, contacts, i)
+      wakeAlone(bodies, i)
+      contacts.head[i] = -1
+      bodies.box[i * 4] = Infinity
+      bodies.order[bodies.orderCount++] = i
       return i
     },
 
@@ -127,11 +138,11 @@ export function createWorld(options: WorldOptions) {
     remove(id: number): void {
       if (!bodies.alive[id]) return
       scene.revision++
-      disturb(scene, id)
-      for (let n = holds.length - 1; n >= 0; n--) if (holds[n]!.body === id) holds.splice(n, 1)
-      leavePairs(pairs, contacts, id)
-      const at = bodies.awake.indexOf(id)
-      bodies.awake.copyWithin(at, at + 1, bodies.awakeCount--)
+      wakeTouching(scene, id)
+      for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === id) joints.splice(n, 1)
+      while (contacts.head[id] >= 0) removeContact(contacts, contacts.head[id] >> 1)
+      bodies.orderCount = without(bodies.order, id, bodies.orderCount)
+      bodies.awakeCount = without(bodies.awake, id, bodies.awakeCount)
       bodies.alive[id] = 0
       scene.freeSlots.push(id)
     },
@@ -140,7 +151,7 @@ export function createWorld(options: WorldOptions) {
     place(id: number, motion: Motion): void {
       if (!bodies.alive[id]) return
       scene.revision++
-      disturb(scene, id)
+      wakeTouching(scene, id)
       put(id, motion)
       forget(id)
     },
@@ -149,40 +160,35 @@ export function createWorld(options: WorldOptions) {
     reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
       if (!bodies.alive[id]) return
       scene.revision++
-      disturb(scene, id)
+      wakeTouching(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
       forget(id)
-      scene.cramped = PATIENCE
+      scene.cramped = WEDGED_STEPS
     },
 
     /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
-      if (size(width) === walls.width && size(height) === walls.height) return
-      scene.revision++
-      walls.width = size(width)
-      walls.height = size(height)
-      wakeAll()
-      for (let i = 1; i < bodies.count; i++) pairs.box[i * 4] = Infinity
-      // What a wall bore it bears no more: gone by less than what still counts as near, it would bear it from where it is.
-      for (let c = 0; c < contacts.count; c++) if (contacts.wall[c] > 0) forgetContact(contacts, c)
-      scene.cramped = PATIENCE
+      if (size(width) !== scene.width || size(height) !== scene.height) {
+        scene.revision++
+        enclose(size(width), size(height))
+        wakeAll()
+        scene.cramped = WEDGED_STEPS
+      }
     },
 
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
       scene.revision++
-      const { state, before, awake, awakeCount } = bodies
-      const shift = (keep: number, sign: number, from: number, to: number) => {
-        for (let n = from; n < to; n++)
+      const { state, before, awake } = bodies
+      const shift = (sign: number) => {
+        for (let n = 0; n < bodies.awakeCount; n++)
           for (let axis = 0; axis < 3; axis++)
-            before[awake[n] * 3 + axis] =
-              keep * before[awake[n] * 3 + axis] + sign * state[awake[n] * STATE + axis]
+            before[awake[n] * 3 + axis] += sign * state[awake[n] * STATE + axis]
       }
-      // What is drawn lies between two poses: both move by as much. Of what wakes meanwhile both were one.
-      shift(1, -1, 0, awakeCount)
-      for (let n = ROOM_STEPS; n > 0 && scene.cramped > 0; n--) makeRoom(scene)
-      shift(1, 1, 0, awakeCount)
-      shift(0, 1, awakeCount, bodies.awakeCount)
+      // What is drawn lies between two poses: both move by as much.
+      shift(-1)
+      makeRoom(scene)
+      shift(1)
     },
 
     /** Changes gravity (px/s²), bounce or friction; wakes everything. */
@@ -192,9 +198,9 @@ export function createWorld(options: WorldOptions) {
       // What rests weighs as much more or less at once: else a pile hops.
       const share = within(gravity / (scene.gravity || gravity || 1), 0, 1000, 1)
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
-        contacts.data[k + LOAD] *= share
-        contacts.data[k + SECOND + LOAD] *= share
-        contacts.data[k + DRAG] *= scene.friction > 0 ? share : 0
+        contacts.data[k + NORMAL_IMPULSE] *= share
+        contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
+        contacts.data[k + TANGENT_IMPULSE] *= scene.friction > 0 ? share : 0
       }
       scene.revision++
       scene.gravity = gravity
@@ -208,13 +214,13 @@ export function createWorld(options: WorldOptions) {
       // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
       while (scene.left >= STEP * 0.999) {
         scene.left -= STEP
-        if (bodies.awakeCount > 0) stepOnce(scene)
+        if (bodies.awakeCount > 0) step(scene)
       }
     },
 
     /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
-      const hold = createHold(
+      const joint = createJoint(
         bodies,
         id,
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
@@ -222,36 +228,36 @@ export function createWorld(options: WorldOptions) {
       )
       if (bodies.alive[id]) {
         scene.revision++
-        disturb(scene, id)
+        wakeTouching(scene, id)
         bodies.held[id]++
-        holds.push(hold)
+        joints.push(joint)
       }
       return {
         moveTo(toX, toY, seconds) {
           const when = within(seconds, -1e12, 1e12, 0)
-          recordHold(hold, within(toX, -FAR, FAR, hold.x), within(toY, -FAR, FAR, hold.y), when)
+          movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), when)
         },
         release() {
-          const n = holds.indexOf(hold)
+          const n = joints.indexOf(joint)
           if (n < 0) return
           scene.revision++
-          holds.splice(n, 1)
+          joints.splice(n, 1)
           bodies.held[id]--
-          throwVelocity(scene, hold)
+          throwBody(scene, joint)
           // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
           for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
-            contacts.data[(edge >> 1) * CONTACT + DUE] = -Infinity
+            contacts.due[edge >> 1] = -Infinity
         },
       }
     },
 
-    /** Becomes the same as `other`, bit for bit, without what is held there: from then on equal steps keep both equal. */
+    /** Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal. */
     follow(other: { scene: Simulation }): void {
       copy(other.scene, scene)
       bodies.held.fill(0)
     },
 
-    /** Whether `other` still goes the way that this world went when it followed it: nothing but time and new bodies came since. */
+    /** Whether `other` still goes the way it went when this world followed it: only time and new bodies came since. */
     follows(other: { scene: Simulation }): boolean {
       return scene.revision === other.scene.revision
     },
@@ -276,7 +282,7 @@ export function createWorld(options: WorldOptions) {
     eachMoved(visit: (id: number, asleep: boolean) => void): void {
       const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
-      for (let i = 1; i < bodies.count; i++) {
+      for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
         undrawn[i] = 1 - bodies.asleep[i]
         for (let axis = 0; axis < 3; axis++) {
@@ -311,25 +317,37 @@ export function createWorld(options: WorldOptions) {
     capSpeed(state, s, MAX_SPEED)
   }
 
+  /** Puts floor and walls where they belong. */
+  function enclose(width: number, height: number): void {
+    scene.width = width
+    scene.height = height
+    const far = FAR / 2
+    const thick = THICK / 2
+    setPose(bodies, 0, width / 2, height + thick, 0)
+    setPose(bodies, 1, -thick, 0, 0)
+    setPose(bodies, 2, width + thick, 0, 0)
+    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far])
+    for (let i = FIRST_CHIP; i < bodies.count; i++) forget(i)
+  }
+
   function wakeAll(): void {
-    for (let i = 1; i < bodies.count; i++) {
+    for (let i = FIRST_CHIP; i < bodies.count; i++) {
       wake(scene, i)
     }
   }
 
   /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
   function forget(i: number): void {
-    pairs.box[i * 4] = Infinity
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-      forgetContact(contacts, edge >> 1)
+    bodies.box[i * 4] = Infinity
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
   }
 }
 
-/** Makes every number and array inside `to` what it is inside `from`. Holds stay apart: they are shared with whoever grabbed. */
+/** Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares them. */
 function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>
   for (const [name, value] of Object.entries(from)) {
-    if (name === 'holds') continue
+    if (name === 'joints') continue
     const own = target[name]
     if (typeof value !== 'object') target[name] = value
     else if (Array.isArray(value)) target[name] = [...value]
@@ -340,6 +358,8 @@ function copy(from: object, to: object): void {
   }
 }
 
+/** px, how thick walls are. */
+const THICK = 1000
 /** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
 const FAR = 1e6
 
@@ -350,6 +370,13 @@ function finite(value: number | undefined, otherwise = 0): number {
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 function within(value: number | undefined, least: number, most: number, otherwise: number): number {
   return Math.max(least, Math.min(most, finite(value, otherwise)))
+}
+
+/** Takes `i` out of the first `count` of a list; returns how many are left. */
+function without(list: Int32Array, i: number, count: number): number {
+  const at = list.indexOf(i)
+  list.copyWithin(at, at + 1, count)
+  return count - 1
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */

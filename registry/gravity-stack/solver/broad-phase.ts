@@ -1,0 +1,102 @@
+import { extents, halfExtents } from './body'
+import { AABB_MARGIN, STEP } from './constants'
+import { addContact, removeContact } from './contact'
+import {
+  type Bodies,
+  CORE,
+  type Contacts,
+  FIRST_CHIP,
+  SHAPE,
+  type Simulation,
+  SPIN,
+  STATE,
+  VX,
+} from './state'
+
+/**
+ * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done until a chip
+ * leaves its box; at rest that is never.
+ */
+
+/** Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns whether it did. */
+function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
+  const { state, shape, box } = bodies
+  const s = i * STATE
+  const k = i * 4
+  // A chip that spins reaches further before the step is over.
+  halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
+  let leaves = false
+  for (let axis = 0; axis < 2; axis++) {
+    const go = state[s + VX + axis] * STEP
+    const fall = axis * 0.5 * gravity * STEP * STEP
+    const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
+    const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
+    if (low < box[k + axis] || high > box[k + 2 + axis]) leaves = true
+  }
+  for (let axis = 0; leaves && axis < 2; axis++) {
+    const go = 2 * state[s + VX + axis] * STEP
+    const fall = axis * 0.5 * gravity * STEP * STEP
+    const margin = AABB_MARGIN + extents[axis]
+    box[k + axis] = state[s + axis] - margin + Math.min(go, go + fall, 0)
+    box[k + 2 + axis] = state[s + axis] + margin + Math.max(go, go + fall, 0)
+  }
+  return leaves
+}
+
+/** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
+export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
+  const { awake, awakeCount, box, boxed, knocked, order, orderCount } = bodies
+  const { head, next, pair } = contacts
+  let any = false
+  for (let n = 0; n < awakeCount; n++) {
+    const i = awake[n]
+    if (knocked[i] === 0 || !updateBox(bodies, gravity, i)) continue
+    boxed[i] = 1
+    any = true
+  }
+  knocked.fill(0)
+  if (!any) return false
+
+  for (let n = 0; n < awakeCount; n++) {
+    const i = awake[n]
+    for (let edge = boxed[i] > 0 ? head[i] : -1; edge >= 0; ) {
+      const after = next[edge]
+      if (!overlap(box, i * 4, pair[edge ^ 1] * 4)) removeContact(contacts, edge >> 1)
+      edge = after
+    }
+  }
+  bodies.partner.fill(0)
+
+  // Insertion sort: the order hardly changes from one step to the next.
+  for (let n = 1; n < orderCount; n++) {
+    const i = order[n]
+    let m = n - 1
+    for (; m >= 0 && box[order[m] * 4] > box[i * 4]; m--) order[m + 1] = order[m]
+    order[m + 1] = i
+  }
+  for (let n = 0; n < orderCount; n++) {
+    const i = order[n]
+    let marked = -1
+    for (let m = n + 1; m < orderCount; m++) {
+      const j = order[m]
+      if (box[j * 4] > box[i * 4 + 2]) break
+      if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
+      // A wall keeps no list of its own.
+      const lister = i < FIRST_CHIP ? j : i
+      if (marked !== lister) markPartners(bodies, contacts, lister)
+      marked = lister
+      if (bodies.partner[i + j - lister] !== lister) addContact(contacts, Math.min(i, j), Math.max(i, j))
+    }
+  }
+  boxed.fill(0)
+  return true
+}
+
+/** Marks all that body `i` has a contact with. */
+function markPartners({ partner }: Bodies, { head, next, pair }: Contacts, i: number): void {
+  for (let edge = head[i]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = i
+}
+
+function overlap(box: Float64Array, i: number, j: number): boolean {
+  return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
+}

@@ -1,0 +1,138 @@
+/** Every number of the solver. Lengths are CSS pixels, times seconds, angles radians, speeds px/s. */
+
+// Defaults of a world (D-020) -------------------------------------------------------------------------------
+
+/** px/s². Gravity that looks like a chip dropped on a desk. More is snappier, less floats. */
+export const GRAVITY = 2600
+/** Restitution, 0..1. Labels are dull: with more of it a pile hops before it settles. */
+export const BOUNCE = 0.18
+/** Coulomb coefficient of chips and walls alike. More makes steeper piles. */
+export const FRICTION = 0.4
+/** 1/s. Air drag on velocity. More takes speed from long throws only: falls are short. */
+export const LINEAR_DAMPING = 0.35
+/** 1/s. Air drag on spin. More lets chips land flatter. */
+export const ANGULAR_DAMPING = 1.4
+/** px/s. An approach slower than this does not bounce. Less and a pile trembles for ever. */
+export const BOUNCE_THRESHOLD = 90
+/** px/s. No chip is ever faster. More asks more of the broad phase for nothing that a person can follow. */
+export const MAX_SPEED = 3600
+
+// Time (D-020) ----------------------------------------------------------------------------------------------
+
+/** s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display. */
+export const STEP = 1 / 60
+/** Sub-steps of a step. More is more exact and costs in proportion; with four, tall stacks fall. */
+export const SUBSTEPS = 6
+
+// Regimes (D-021) -------------------------------------------------------------------------------------------
+
+/** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
+export const RESTING_SPEED = 0.4
+
+/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left. */
+export const BLOW_SPEED = 100
+/** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
+export const ITERATIONS = 8
+/** Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a frame. */
+export const UNEVEN_VISITS = 6000
+/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep again. */
+export const RELAXATION = 1.3
+
+/** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
+export const TOLERANCE = 0.03
+/** px/s. Least tolerance while something moves. More lets piles creep for ever. */
+export const LEAST_TOLERANCE = 0.05
+/** px/s. Most tolerance. More leaves pours deeper in one another. */
+export const MOST_TOLERANCE = 20
+/** px/s. Tolerance of a resting world; a body in balance gains at most four times as much in a sub-step. */
+export const RESTING_TOLERANCE = 0.003
+
+// Contacts and impacts (D-022, D-023, D-024, D-025) ---------------------------------------------------------
+
+/** px. Gap up to which two bodies have a manifold before they touch: iterations may push a body this far unforeseen. */
+export const SPECULATIVE_DISTANCE = 1.5
+/** Sub-steps that a contact is looked for ahead of time. More than one, as a body may gain speed in it. */
+export const LOOKAHEAD = 1.25
+/** px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often (D-022). */
+export const RECYCLE_DISTANCE = 0.25
+/** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
+export const WALL_RECYCLE_DISTANCE = 0.001
+
+/** Share of its gap by which a loaded contact may close in a sub-step. All of it would chatter. */
+export const LOADED_CLOSING = 0.1
+/** px/s. Change by the contact solver from which a warm start was wrong, as it is after an impact (D-023). */
+export const WRONG_WARM_START = 50
+/** Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten seconds. */
+export const ROLLING_RESISTANCE = 0.1
+/** Share of a spin that rolling resistance takes in a sub-step while it can. More is stiffer. */
+export const ROLLING_SHARE = 0.2
+
+/**
+ * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one point: resistance
+ * that holds would freeze it there (D-024).
+ */
+export const BALANCED_HEIGHT = 0.75
+/** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
+export const IMPACT_ITERATIONS = 24
+/** px by which chips that graze one another would miss, and sine of the angle to a surface that counts as along it (D-012). */
+export const GRAZE = 0.1
+/** px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit at once. */
+export const IMPACT_TOGETHER = 0.05
+
+// Position correction and room (D-027) ----------------------------------------------------------------------
+
+/**
+ * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are. A stack
+ * sags by this at every chip.
+ */
+export const LINEAR_SLOP = 0.004
+/** Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last. */
+export const CORRECTION = 0.7
+/** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
+export const MAX_CORRECTION = 4
+/** px of overlap from which slow contacts are corrected again within a step. */
+export const DEEP_OVERLAP = 0.02
+/** px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be stirred. */
+export const SLOW_CONTACT = 10
+/** Most corrections of slow contacts in a step. Fewer let a jam last. */
+export const CORRECTIONS = 64
+/** px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it there (D-013). */
+export const WALL_OVERLAP = 0.9
+/** px of overlap from which two chips count as wedged: there is room only upwards. */
+export const WEDGED_OVERLAP = 0.5
+/**
+ * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls moved or
+ * chips grew. Less lifts chips that are on their way out.
+ */
+export const WEDGED_STEPS = 30
+/** Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes 20 ns. */
+export const ROOM_VISITS = 200_000
+
+// Broad phase (D-026) ---------------------------------------------------------------------------------------
+
+/** px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more often. */
+export const AABB_MARGIN = 8
+
+// Rest and waking (D-028) -----------------------------------------------------------------------------------
+
+/** px, rotation included, that a chip may be off its place while it counts as at rest. */
+export const REST_DISTANCE = 0.5
+/** s that every chip of a group has to be at rest before the group sleeps. Less freezes a pile on its way. */
+export const REST_TIME = 0.5
+/** Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest. */
+export const REST_FOLLOW = 0.03
+
+// Holding a chip (D-020) ------------------------------------------------------------------------------------
+
+/** Hz of the mouse joint's spring. More follows the pointer more stiffly. */
+export const JOINT_HERTZ = 7.5
+/** Most force of the mouse joint, in weights of the held chip. More crushes piles. */
+export const JOINT_STRENGTH = 14
+/** px/s². Gravity that those weights are reckoned at where there is less. */
+export const JOINT_GRAVITY = 500
+/** s of the pointer's way that a throw is fitted to. Less is noise, more remembers an earlier direction. */
+export const THROW_WINDOW = 0.08
+/** px/s of the pointer from which a chip leaves with all of its velocity; slower, with less of it. */
+export const THROW_SPEED = 200
+/** px/s that a chip keeps at most when it is let go. */
+export const MAX_TOSS = 1800

@@ -1,0 +1,140 @@
+import { capSpeed } from './body'
+import {
+  GRAVITY,
+  LINEAR_SLOP,
+  LOOKAHEAD,
+  MAX_SPEED,
+  RESTING_SPEED,
+  RESTING_TOLERANCE,
+  ROLLING_RESISTANCE,
+  ROLLING_SHARE,
+  WRONG_WARM_START,
+} from './constants'
+import {
+  ANGLE,
+  CORE,
+  DELTA_ANGLE,
+  DELTA_X,
+  DELTA_Y,
+  EXTENT,
+  FIRST_CHIP,
+  HORIZON,
+  INDEX,
+  MOTION,
+  ROLLING_IMPULSE,
+  SEEN_ANGLE,
+  SEEN_X,
+  SEEN_Y,
+  SHAPE,
+  type Simulation,
+  SPIN,
+  START_SPIN,
+  START_X,
+  START_Y,
+  STATE,
+  STRUCK_AT,
+  TRAVEL,
+  VX,
+  VY,
+  WARM_SPIN,
+  WARM_X,
+  WARM_Y,
+  X,
+  Y,
+} from './state'
+
+/** Turn of a body whose contacts need no visit. */
+const NEVER = -0x40000000
+
+/** Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it. */
+export function trackTravel({ bodies, h }: Simulation): void {
+  const { state, motion, shape, moved, awake, awakeCount } = bodies
+  for (let n = 0; n < awakeCount; n++) {
+    const i = awake[n] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
+    const core = shape[i * SHAPE + CORE]
+    const way =
+      Math.abs(state[s + X] - motion[m + SEEN_X]) +
+      Math.abs(state[s + Y] - motion[m + SEEN_Y]) +
+      core * Math.abs(state[s + ANGLE] - motion[m + SEEN_ANGLE])
+    moved[i] = way > LINEAR_SLOP ? 1 : 0
+    if (moved[i] > 0) {
+      motion[m + TRAVEL] += way
+      motion[m + SEEN_X] = state[s + X]
+      motion[m + SEEN_Y] = state[s + Y]
+      motion[m + SEEN_ANGLE] = state[s + ANGLE]
+    }
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + core * Math.abs(state[s + SPIN])
+    motion[m + HORIZON] = motion[m + TRAVEL] + LOOKAHEAD * h * speed
+    motion[m + STRUCK_AT] = 0
+  }
+}
+
+/** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
+export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
+  const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
+  changed.fill(NEVER, 0, FIRST_CHIP)
+  // What nothing brakes in the air rolls for ever as well: so it is measured.
+  const rolling = spinAir.fade < 1 ? ROLLING_RESISTANCE : 0
+  for (let n = 0; n < awakeCount; n++) {
+    const i = awake[n] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
+    const vx = state[s + VX]
+    const vy = state[s + VY]
+    const spin = state[s + SPIN]
+    const warmX = motion[m + WARM_X]
+    const warmY = motion[m + WARM_Y]
+    const warmSpin = motion[m + WARM_SPIN]
+    const extent = shape[i * SHAPE + EXTENT]
+    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the way.
+    motion[m + DELTA_X] = air.reach * vx + 0.5 * h * warmX
+    motion[m + DELTA_Y] = air.reach * vy + gravity * air.fall + 0.5 * h * warmY
+    // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
+    const most = (rolling * (Math.abs(warmX) + Math.abs(warmY))) / extent
+    const freeSpin = spinAir.fade * spin + warmSpin
+    const last = motion[m + ROLLING_IMPULSE] * supported[i]
+    const rollingImpulse = last - supported[i] * ROLLING_SHARE * (freeSpin + last)
+    motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
+    motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
+    state[s + VX] = motion[m + START_X] = air.fade * vx + warmX
+    state[s + VY] = motion[m + START_Y] = air.fade * vy + gravity * air.reach + warmY
+    state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
+    changed[i] = speed > regime.tolerance || moved[i] > 0 ? 0 : NEVER
+  }
+}
+
+/**
+ * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start. Returns how
+ * many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ */
+export function integratePositions({ bodies, gravity, h }: Simulation): number {
+  const { state, motion, shape, awake, awakeCount, knocked } = bodies
+  const wrong = WRONG_WARM_START * Math.max(1, Math.abs(gravity) / GRAVITY)
+  let active = 0
+  for (let n = 0; n < awakeCount; n++) {
+    const i = awake[n] & INDEX
+    const s = i * STATE
+    const m = i * MOTION
+    const extent = shape[i * SHAPE + EXTENT]
+    const dvx = state[s + VX] - motion[m + START_X]
+    const dvy = state[s + VY] - motion[m + START_Y]
+    const dSpin = state[s + SPIN] - motion[m + START_SPIN]
+    // Where the warm start was wrong nothing acted evenly: it counts for the way in full.
+    const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > wrong ? 0.5 * h : 0
+    if (whole > 0) knocked[i] = 1
+    state[s + X] += motion[m + DELTA_X] + h * dvx + whole * motion[m + WARM_X]
+    state[s + Y] += motion[m + DELTA_Y] + h * dvy + whole * motion[m + WARM_Y]
+    state[s + ANGLE] += motion[m + DELTA_ANGLE] + h * dSpin + whole * motion[m + WARM_SPIN]
+    motion[m + WARM_X] += dvx
+    motion[m + WARM_Y] += dvy
+    motion[m + WARM_SPIN] += dSpin
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
+    const gain = Math.abs(motion[m + WARM_X]) + Math.abs(motion[m + WARM_Y] + gravity * h)
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    capSpeed(state, s, MAX_SPEED)
+  }
+  return active
+}

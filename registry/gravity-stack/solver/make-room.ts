@@ -1,0 +1,36 @@
+import { updatePairs } from './broad-phase'
+import { CORRECTIONS, ROOM_VISITS, SPECULATIVE_DISTANCE } from './constants'
+import { updateContact } from './contact'
+import { LEAD, manifold, WIDEST } from './manifold'
+import { correctPositions, keepInside, liftWedged } from './position-correction'
+import { gatherContacts } from './sleep'
+import type { Simulation } from './state'
+
+/**
+ * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity
+ * changes, so that nothing is thrown. After a jump it takes some steps.
+ */
+export function makeRoom(simulation: Simulation): void {
+  const { contacts } = simulation
+  if (simulation.cramped > 0) simulation.cramped--
+  for (let visits = ROOM_VISITS; simulation.cramped > 0 && visits > 0; ) {
+    simulation.bodies.knocked.fill(1)
+    updatePairs(simulation)
+    gatherContacts(simulation)
+    const { live, near, nearCount } = contacts
+    for (let n = 0; n < nearCount; n++) {
+      live[n] = near[n]
+      manifold[WIDEST] = SPECULATIVE_DISTANCE
+      manifold[LEAD] = 0
+      updateContact(simulation, near[n])
+    }
+    contacts.liveCount = nearCount
+    let passes = 0
+    while (passes < CORRECTIONS && correctPositions(simulation, false)) passes++
+    keepInside(simulation)
+    visits -= (passes + 1) * nearCount
+    // A row between two walls that come nearer has room only upwards.
+    if (passes === CORRECTIONS) liftWedged(simulation)
+    if (passes === 0) simulation.cramped = 0
+  }
+}

@@ -1,0 +1,106 @@
+import { extents, halfExtents, speedOf } from './body'
+import {
+  CORRECTION,
+  DEEP_OVERLAP,
+  LINEAR_SLOP,
+  MAX_CORRECTION,
+  SLOW_CONTACT,
+  WALL_OVERLAP,
+  WEDGED_OVERLAP,
+} from './constants'
+import { separationAndRate } from './contact'
+import { GAP_NOW, manifold, RATE_NOW } from './manifold'
+import {
+  ANGLE,
+  ARM_NA,
+  CONTACT,
+  FIRST_CHIP,
+  INV_INERTIA,
+  INV_MASS,
+  NORMAL_K,
+  NORMAL_X,
+  NORMAL_Y,
+  SECOND,
+  type Simulation,
+  STATE,
+  X,
+  Y,
+} from './state'
+
+/**
+ * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
+ * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep.
+ */
+function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
+  const gap = manifold[GAP_NOW] + LINEAR_SLOP
+  if (gap > 0) return false
+  const s = bodies.state
+  const d = contacts.data
+  const k = c * CONTACT
+  const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / d[p + NORMAL_K]
+  for (let side = 0; side < 2; side++) {
+    const i = contacts.pair[2 * c + side] * STATE
+    const by = side > 0 ? push : -push
+    s[i + X] += d[k + NORMAL_X] * s[i + INV_MASS] * by
+    s[i + Y] += d[k + NORMAL_Y] * s[i + INV_MASS] * by
+    s[i + ANGLE] += s[i + INV_INERTIA] * d[p + ARM_NA + side] * by
+  }
+  return gap < -DEEP_OVERLAP
+}
+
+/** Corrects the point that `separationAndRate` looked at before a sub-step, unless its bodies part by themselves. */
+export function correctEarly(simulation: Simulation, c: number, p: number): void {
+  if (manifold[GAP_NOW] + LINEAR_SLOP + manifold[RATE_NOW] * simulation.h > 0) return
+  correctPoint(simulation, c, p)
+}
+
+/** Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was deep. */
+export function correctPositions(simulation: Simulation, slowOnly: boolean): boolean {
+  const { contacts, cramped } = simulation
+  const { live, liveCount, points } = contacts
+  let deep = false
+  for (let n = 0; n < liveCount; n++) {
+    const c = live[n]
+    if (slowOnly && !isSlow(simulation, c)) continue
+    for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
+      separationAndRate(simulation, c, p)
+      if (correctPoint(simulation, c, p) && (cramped > 0 || isSlow(simulation, c))) deep = true
+    }
+  }
+  return deep
+}
+
+function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
+  return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
+}
+
+/** Lifts the higher of the two chips that are deepest in one another, if any are wedged: they have room only upwards. */
+export function liftWedged(simulation: Simulation): void {
+  const { state } = simulation.bodies
+  const { live, liveCount, pair, points } = simulation.contacts
+  let deepest = -WEDGED_OVERLAP
+  let higher = -1
+  for (let n = 0; n < liveCount; n++) {
+    const c = live[n]
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
+      separationAndRate(simulation, c, p)
+      if (manifold[GAP_NOW] >= deepest) continue
+      deepest = manifold[GAP_NOW]
+      higher = state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+    }
+  }
+  if (higher > 0) state[higher * STATE + Y] -= MAX_CORRECTION
+}
+
+/** Puts back what others have pressed into a wall, which gives way to nothing. */
+export function keepInside({ bodies, width, height }: Simulation): void {
+  const { state, awake, awakeCount } = bodies
+  for (let n = 0; n < awakeCount; n++) {
+    const s = awake[n] * STATE
+    halfExtents(bodies, awake[n], WALL_OVERLAP, 0)
+    state[s + X] = Math.max(extents[X], Math.min(state[s + X], width - extents[X]))
+    state[s + Y] = Math.min(state[s + Y], height - extents[Y])
+  }
+}

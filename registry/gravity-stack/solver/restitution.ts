@@ -1,0 +1,214 @@
+import {
+  BLOW_SPEED,
+  IMPACT_ITERATIONS,
+  IMPACT_TOGETHER,
+  LEAST_TOLERANCE,
+  LOOKAHEAD,
+  SPECULATIVE_DISTANCE,
+} from './constants'
+import { closingDistance, rateGain, separationAndRate, separationBound, updateContact } from './contact'
+import { iterate } from './contact-solver'
+import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
+import {
+  ARM_TA,
+  ARM_TB,
+  CONTACT,
+  FIRST_CHIP,
+  IMPACTS_SOLVED,
+  INV_INERTIA,
+  INV_MASS,
+  MOTION,
+  NORMAL_IMPULSE,
+  NORMAL_X,
+  NORMAL_Y,
+  SECOND,
+  type Simulation,
+  STATE,
+  STRUCK_AT,
+  TANGENT_BIAS,
+  TANGENT_IMPULSE,
+  VELOCITY_BIAS,
+  VX,
+  WARM_SPIN,
+  WARM_X,
+  WARM_Y,
+  Y,
+} from './state'
+
+/**
+ * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity changes at the
+ * start of the sub-step, and the pose goes back by what the change would have moved too early: exact for each, at any step.
+ * What is struck is asked anew what it hits.
+ */
+
+/** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
+const ahead: Float64Array = new Float64Array(1)
+/** px/s at which a point without an impact may close its gap: any. */
+const FREE = 1e9
+
+/**
+ * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. Its velocity bias is then what makes it
+ * leave as it should, from the velocity at the start of the sub-step.
+ */
+function foreseeImpact(simulation: Simulation, c: number): boolean {
+  const { bodies, contacts, bounce, gravity, h, threshold } = simulation
+  const { motion } = bodies
+  const { data: d, pair, points } = contacts
+  const k = c * CONTACT
+  // What comes after an earlier impact of this sub-step.
+  const from = Math.max(
+    motion[pair[2 * c] * MOTION + STRUCK_AT],
+    motion[pair[2 * c + 1] * MOTION + STRUCK_AT],
+  )
+  let soonest = Infinity
+  for (let p = k, n = points[c]; n > 0; n--, p += SECOND) {
+    d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
+    separationAndRate(simulation, c, p)
+    const start = manifold[RATE_NOW]
+    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will take it back.
+    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - Math.abs(gravity) * h) / h
+    const v = start + rate * from
+    const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
+    const rest = h - from
+    const square = v * v - 2 * rate * gap
+    if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0 || !(square > threshold * threshold)) continue
+    const hit = Math.sqrt(square)
+    const time = from + Math.min(rest, (2 * gap) / (hit - v))
+    // Of two ends the first to hit turns the chip: what the other does then is asked anew.
+    if (time > soonest + IMPACT_TOGETHER / hit) continue
+    if (time < soonest - IMPACT_TOGETHER / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
+    // A bounce so low that it would land again within the sub-step is left to rest.
+    const e = bounce * hit > 0.5 * Math.abs(rate) * (h - time) ? bounce : 0
+    d[p + VELOCITY_BIAS] = -e * hit - hit - start
+    soonest = Math.min(soonest, time)
+  }
+  ahead[0] = soonest
+  return soonest < Infinity
+}
+
+/** Queues contact `c` if it will hit. */
+export function queueImpact(simulation: Simulation, c: number): void {
+  const { contacts } = simulation
+  const { queue, queueTime } = contacts
+  if (contacts.queueCount >= queue.length || !foreseeImpact(simulation, c)) return
+  let n = contacts.queueCount++
+  for (; n > contacts.queueFirst && queueTime[n - 1] > ahead[0]; n--) {
+    queue[n] = queue[n - 1]
+    queueTime[n] = queueTime[n - 1]
+  }
+  queue[n] = c
+  queueTime[n] = ahead[0]
+}
+
+/** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
+function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): number {
+  return i < FIRST_CHIP ? 0 : bodies.motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)
+}
+
+/** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
+const kept: Float64Array = new Float64Array(12)
+
+/** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
+function measureAt(simulation: Simulation, c: number, time: number): void {
+  const { bodies, contacts, h } = simulation
+  const { state } = bodies
+  for (let n = 0; n < 6; n++) {
+    const i = contacts.pair[2 * c + (n > 2 ? 1 : 0)]
+    const s = i * STATE + (n % 3)
+    kept[n] = state[s]
+    state[s] += time * (state[s + VX] + (0.5 * time * gainOf(simulation, i, n % 3)) / h)
+  }
+  manifold[WIDEST] = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
+  manifold[LEAD] = 0
+  updateContact(simulation, c)
+  for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
+}
+
+/** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
+function solveImpact(simulation: Simulation, c: number): void {
+  const { bodies, contacts, gravity, h, impactRegime } = simulation
+  const { data: d, head, next, pair, points, live } = contacts
+  const { asleep, changed, knocked, moved, state, motion } = bodies
+  const k = c * CONTACT
+  if (!foreseeImpact(simulation, c)) return
+  // Measured again at the time of impact until that time stands still.
+  let time = -1
+  for (let n = 0; n < 6 && Math.abs(ahead[0] - time) > 1e-13; n++) {
+    time = ahead[0]
+    measureAt(simulation, c, time)
+    if (!foreseeImpact(simulation, c)) return
+  }
+  time = ahead[0]
+  const a = pair[2 * c]
+  const b = pair[2 * c + 1]
+  const ma = a * MOTION
+  const mb = b * MOTION
+  const fall = a < FIRST_CHIP ? gravity * h : 0
+  // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
+  const gain =
+    d[k + NORMAL_X] * (motion[mb + WARM_Y] - motion[ma + WARM_Y] + fall) -
+    d[k + NORMAL_Y] * (motion[mb + WARM_X] - motion[ma + WARM_X]) +
+    d[k + ARM_TB] * motion[mb + WARM_SPIN] -
+    d[k + ARM_TA] * motion[ma + WARM_SPIN]
+  d[k + TANGENT_BIAS] = (-gain * time) / h
+  const n1 = d[k + NORMAL_IMPULSE]
+  const n2 = d[k + SECOND + NORMAL_IMPULSE]
+  const t = d[k + TANGENT_IMPULSE]
+  d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
+  for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
+  // Two bodies that nothing carries get their exact answer, a crowd what its sub-steps can tell apart.
+  impactRegime.tolerance = motion[ma + WARM_Y] === 0 && motion[mb + WARM_Y] === 0 ? 1e-11 : LEAST_TOLERANCE
+  changed[a] = changed[b] = 0
+  live[0] = c
+  for (let n = 0; n < IMPACT_ITERATIONS && iterate(simulation, impactRegime, 1, n) > n; n++);
+  simulation.work[IMPACTS_SOLVED]++
+
+  d[k + NORMAL_IMPULSE] = n1
+  d[k + SECOND + NORMAL_IMPULSE] = n2
+  d[k + TANGENT_IMPULSE] = t
+  d[k + TANGENT_BIAS] = 0
+  // Restitution and friction together may ask for more energy than there was: then all of the impulse is less.
+  let first = 0
+  let second = 0
+  for (let n = 0; n < 6; n++) {
+    const i = n > 2 ? b : a
+    const s = i * STATE + VX + (n % 3)
+    const mass = i < FIRST_CHIP ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
+    const change = state[s] - kept[6 + n]
+    first += mass * change * (kept[6 + n] + (time * gainOf(simulation, i, n % 3)) / h)
+    second += mass * change * change
+  }
+  const share = -2 * first < second ? (-2 * first) / second : 1
+  for (let n = 0; n < 6; n++) {
+    const i = n > 2 ? b : a
+    const s = i * STATE + (n % 3)
+    const change = share * (state[s + VX] - kept[6 + n])
+    state[s + VX] = kept[6 + n] + change
+    state[s] -= change * time
+    moved[i] = knocked[i] = 1
+    if (i >= FIRST_CHIP) motion[i * MOTION + STRUCK_AT] = time
+  }
+  // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
+  if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
+  for (let side = 0; side < 2; side++) {
+    const i = pair[2 * c + side]
+    for (let edge = i < FIRST_CHIP ? -1 : head[i]; edge >= 0; edge = next[edge]) {
+      const other = edge >> 1
+      if (other === c || asleep[pair[edge ^ 1]] > 0) continue
+      const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
+      if (separationBound(simulation, other) > way) continue
+      if (points[other] === 0) measureAt(simulation, other, time)
+      queueImpact(simulation, other)
+    }
+  }
+}
+
+/** Solves the impacts of the sub-step, each at its time. */
+export function solveImpacts(simulation: Simulation): void {
+  const { contacts } = simulation
+  for (let n = 0; n < contacts.queueCount; n++) {
+    contacts.queueFirst = n + 1
+    solveImpact(simulation, contacts.queue[n])
+  }
+  contacts.queueCount = contacts.queueFirst = 0
+}

@@ -1,0 +1,138 @@
+import { speedOf } from './body'
+import {
+  LINEAR_SLOP,
+  REST_DISTANCE,
+  REST_FOLLOW,
+  REST_TIME,
+  SLOW_CONTACT,
+  SPECULATIVE_DISTANCE,
+  STEP,
+} from './constants'
+import { normalImpulse, separationAndRate, separationBound, updateContact } from './contact'
+import { findGroup, joinGroups } from './islands'
+import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
+import {
+  ANGLE,
+  type Bodies,
+  CONTACT,
+  EXTENT,
+  FIRST_CHIP,
+  SECOND,
+  SHAPE,
+  type Simulation,
+  SPIN,
+  STATE,
+  VX,
+  X,
+} from './state'
+
+/** Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so long enough. */
+export function updateSleep({ bodies, contacts, gravity }: Simulation): void {
+  const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
+  const count = bodies.awakeCount
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    const s = i * STATE
+    const r = i * 4
+    const off =
+      Math.abs(state[s + X] - rest[r]) +
+      Math.abs(state[s + X + 1] - rest[r + 1]) +
+      shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - rest[r + 2])
+    const moves = off > REST_DISTANCE || speedOf(bodies, i) > SLOW_CONTACT
+    // Creep too slow to be seen would keep some chip of a large pile awake: its place follows it.
+    for (let axis = 0; axis < 3; axis++)
+      rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
+    rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
+    parent[i] = i
+    // Nothing rests on nothing, unless it floats.
+    groupRest[i] = gravity === 0 ? rest[r + 3] : 0
+  }
+  for (let joining = 0; joining < 2; joining++) {
+    for (let n = 0; n < contacts.nearCount; n++) {
+      const c = contacts.near[n]
+      const a = contacts.pair[2 * c]
+      const b = contacts.pair[2 * c + 1]
+      if (normalImpulse(contacts, c) === 0) continue
+      if (joining === 0) {
+        groupRest[a] = rest[a * 4 + 3]
+        groupRest[b] = rest[b * 4 + 3]
+      } else if (a >= FIRST_CHIP) joinGroups(bodies, a, b)
+    }
+  }
+  bodies.awakeCount = 0
+  for (let n = 0; n < count; n++) {
+    const i = awake[n]
+    if (groupRest[findGroup(parent, i)] >= REST_TIME) {
+      asleep[i] = 1
+      state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
+    } else awake[bodies.awakeCount++] = i
+  }
+}
+
+/** Wakes body `i` and everything that carries it or is carried by it, at any remove. */
+export function wake({ bodies, contacts }: Simulation, i: number): void {
+  bodies.rest[i * 4 + 3] = 0
+  if (bodies.asleep[i] === 0) return
+  wakeAlone(bodies, i)
+  for (let n = bodies.awakeCount - 1; n < bodies.awakeCount; n++) {
+    for (let edge = contacts.head[bodies.awake[n]]; edge >= 0; edge = contacts.next[edge]) {
+      const j = contacts.pair[edge ^ 1]
+      if (bodies.asleep[j] === 1 && normalImpulse(contacts, edge >> 1) > 0) wakeAlone(bodies, j)
+    }
+  }
+}
+
+export function wakeAlone(bodies: Bodies, i: number): void {
+  bodies.asleep[i] = 0
+  bodies.rest[i * 4 + 3] = 0
+  bodies.undrawn[i] = 1
+  bodies.awake[bodies.awakeCount++] = i
+  bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
+}
+
+/** Wakes body `i` and all that touch it, whether they carry anything or not. */
+export function wakeTouching(simulation: Simulation, i: number): void {
+  const { head, next, pair, points } = simulation.contacts
+  wake(simulation, i)
+  for (let edge = head[i]; edge >= 0; edge = next[edge])
+    if (points[edge >> 1] > 0) wake(simulation, pair[edge ^ 1])
+}
+
+export function anyAsleep({ bodies }: Simulation): boolean {
+  return bodies.awakeCount + FIRST_CHIP < bodies.orderCount
+}
+
+/** Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody. */
+export function wakeStruck(simulation: Simulation): void {
+  const { bodies, contacts } = simulation
+  const { awake, asleep } = bodies
+  const { head, next, pair, points } = contacts
+  for (let n = 0; n < bodies.awakeCount; n++) {
+    const way = SPECULATIVE_DISTANCE + speedOf(bodies, awake[n]) * STEP
+    for (let edge = head[awake[n]]; edge >= 0; edge = next[edge]) {
+      const c = edge >> 1
+      const j = pair[edge ^ 1]
+      if (asleep[j] === 0 || separationBound(simulation, c) > way) continue
+      manifold[WIDEST] = way
+      manifold[LEAD] = 0
+      updateContact(simulation, c)
+      for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
+        separationAndRate(simulation, c, p)
+        if (manifold[GAP_NOW] < -4 * LINEAR_SLOP || manifold[RATE_NOW] < -SLOW_CONTACT) wake(simulation, j)
+      }
+    }
+  }
+}
+
+/** Lists the contacts of what is awake, sleepers that are about to be hit included. */
+export function gatherContacts(simulation: Simulation): void {
+  if (anyAsleep(simulation)) wakeStruck(simulation)
+  const { bodies, contacts } = simulation
+  const { awake, asleep } = bodies
+  const { head, near, next, pair } = contacts
+  let count = 0
+  for (let n = 0; n < bodies.awakeCount; n++)
+    for (let edge = head[awake[n]]; edge >= 0; edge = next[edge])
+      if (edge & 1 && asleep[pair[edge ^ 1]] === 0) near[count++] = edge >> 1
+  contacts.nearCount = count
+}
