@@ -1,5 +1,5 @@
 import { expect, type Page } from '@playwright/test'
-import { TOUCH_HOLD } from '../registry/gravity-stack/pointers'
+import { TOUCH_HOLD } from '../registry/gravity-stack/stage/pointers'
 import { playgroundStage as stage, test } from './page'
 
 test('a chip is dragged, under the overlay too; a still hand drops it, a moving one tosses it', async ({

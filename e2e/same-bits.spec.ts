@@ -9,18 +9,18 @@ import { fileURLToPath } from 'node:url'
 import { runInNewContext } from 'node:vm'
 import { expect, type Page, test } from '@playwright/test'
 import { build } from 'esbuild'
-import type { Pin } from '../registry/gravity-stack/pins'
+import type { Pin } from '../registry/gravity-stack/testing/pins'
 import { findEngines } from '../scripts/browser.mjs'
 
 const path = (name: string) => fileURLToPath(new URL(`../registry/gravity-stack/${name}`, import.meta.url))
-const pins: Record<string, Pin> = JSON.parse(readFileSync(path('pins.json'), 'utf8'))
+const pins: Record<string, Pin> = JSON.parse(readFileSync(path('testing/pins.json'), 'utf8'))
 
 /** Plays the pinned scenes in any engine, and asks for the releases of 60 chips, each above all before it. */
 const script = build({
   stdin: {
     contents: `
-      import { reach, releasePose, releaseTime } from './drop'
-      import { fingerprint, pinned } from './pins'
+      import { reach, releasePose, releaseTime } from './stage/release'
+      import { fingerprint, pinned } from './testing/pins'
       import { createWorld } from './world'
       const scenes = Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)]))
       const obstacles = []

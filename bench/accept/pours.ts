@@ -1,5 +1,5 @@
 // Pours with the drag and the sleep of a page: all chips at once, and one after another as the stage releases them.
-import { reach, releasePose, releaseTime } from '../../registry/gravity-stack/drop'
+import { reach, releasePose, releaseTime } from '../../registry/gravity-stack/stage/release'
 import { createWorld } from '../../registry/gravity-stack/world'
 import { worstOverlap } from '../../scenes/exact-distance'
 import { aired } from '../../scenes/hard'
@@ -52,7 +52,7 @@ function playPour(kind: Kind, count: number, seed: number): Run {
   return play(world, stage, chips, ids, () => false)
 }
 
-/** The stage's own schedule: `drop.ts` says when and where each chip starts, shapes alone come from the seed. */
+/** The stage's own schedule: `release.ts` says when and where each chip starts, shapes alone come from the seed. */
 function playDrop(kind: Kind, count: number, seed: number): Run {
   const stage = pourStage(count)
   const world = createWorld({ ...stage, ...aired })

@@ -1,7 +1,7 @@
 import { cancelFrame, frame } from 'motion'
 import * as React from 'react'
-import { releasePose } from '../../registry/gravity-stack/drop'
 import { ANGULAR_DAMPING, LINEAR_DAMPING } from '../../registry/gravity-stack/solver/constants'
+import { releasePose } from '../../registry/gravity-stack/stage/release'
 import { conditions, frame as frameSeconds, numbersPerChip } from '../../scenes/scene'
 import { circleChains } from '../engines/circle-chains'
 import { Field, type StageProps } from './chips'

@@ -1,6 +1,6 @@
 import Matter from 'matter-js'
 import * as React from 'react'
-import { releasePose } from '../../registry/gravity-stack/drop'
+import { releasePose } from '../../registry/gravity-stack/stage/release'
 import { conditions } from '../../scenes/scene'
 import { walls } from '../engine'
 import { Field, type StageProps } from './chips'

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { settle, stage, worldOf } from '@/registry/gravity-stack/testing'
+import { settle, stage, worldOf } from '@/registry/gravity-stack/testing/worlds'
 import { inspect, meanMass } from './inspect'
 
 const gravity = 2600

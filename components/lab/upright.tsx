@@ -2,8 +2,8 @@
 
 import { useState } from 'react'
 import { shortFigure } from '@/lib/figure'
-import { uprightTurn } from '@/registry/gravity-stack/look-ahead'
 import { BOUNCE, FRICTION, GRAVITY } from '@/registry/gravity-stack/solver/constants'
+import { uprightTurn } from '@/registry/gravity-stack/stage/look-ahead'
 import { cornerRadius, type Pose, type Shape } from '@/scenes/exact-distance'
 import { Slider } from '../slider'
 import { chipColours, drawChip, drawLine, drawText } from './draw'

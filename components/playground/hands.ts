@@ -1,5 +1,5 @@
 import type { PointerEvent } from 'react'
-import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/pointers'
+import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/stage/pointers'
 import type { Pile } from '../lab/pile'
 
 /** A pointer that is down on a chip: where it is, in px and s of the stage. It holds the chip once there is a grab. */

@@ -2482,7 +2482,7 @@ function size(value: number): number {
   return within(value, 1, FAR, 0)
 }
 
-// drop: where and when each chip starts ─────────────────────────────────────────────────────────────────────
+// stage/release: where and when each chip starts ────────────────────────────────────────────────────────────
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
 // So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
@@ -2577,7 +2577,7 @@ function releasePose(
   }
 }
 
-// kick: hops and shakes ─────────────────────────────────────────────────────────────────────────────────────
+// stage/launch: hops and shakes ─────────────────────────────────────────────────────────────────────────────
 
 /** px/s² of the least gravity that kicks are made for. */
 const KICK_GRAVITY = 100
@@ -2605,7 +2605,7 @@ function kickOf(number: number, height: number, gravity: number, angle: number) 
   }
 }
 
-// chip: how a chip looks, and how it is drawn ───────────────────────────────────────────────────────────────
+// stage/chip: how a chip looks, and how it is drawn ─────────────────────────────────────────────────────────
 
 // From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.
@@ -2686,7 +2686,7 @@ function tellAngle(chip: Chip) {
   chip.told = true
 }
 
-// release-queue: whose turn it is, and the clock of the stage ───────────────────────────────────────────────
+// stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
 
 /** A world, and what was released into it, by the ids of the bodies. */
 interface Pile<T extends Release = Release> {
@@ -2781,7 +2781,7 @@ function createReleaseQueue() {
   return queue
 }
 
-// look-ahead: how each chip will lie, before anyone sees it ─────────────────────────────────────────────────
+// stage/look-ahead: how each chip will lie, before anyone sees it ───────────────────────────────────────────
 
 // Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie; equal steps give equal
 // bits, so it tells the truth. A chip is then drawn turned from the start: after half a turn its body is the same, and so is the pile.
@@ -2865,7 +2865,7 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
   }
 }
 
-// input: what a caller may pass, and what stands in for the rest ────────────────────────────────────────────
+// stage/props: what a caller may pass, and what stands in for the rest ──────────────────────────────────────
 
 /** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
 const LIMITS = {
@@ -2906,7 +2906,7 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
-// view: what of a stage is in view ──────────────────────────────────────────────────────────────────────────
+// stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
 
 type View = typeof globalThis & Window
 
@@ -2954,7 +2954,7 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   return Math.min(wide, whole.width) * Math.min(high, whole.height)
 }
 
-// loop: a call in every frame ───────────────────────────────────────────────────────────────────────────────
+// stage/frame-loop: a call in every frame ───────────────────────────────────────────────────────────────────
 
 /** Calls `tick` once in every frame of a window, from `start` to `stop`. */
 function createLoop(view: View, tick: () => void) {
@@ -2993,7 +2993,7 @@ function createLoop(view: View, tick: () => void) {
   }
 }
 
-// pointers: presses, drags and taps ─────────────────────────────────────────────────────────────────────────
+// stage/pointers: presses, drags and taps ───────────────────────────────────────────────────────────────────
 
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 const TOUCH_HOLD = 180
@@ -3288,7 +3288,7 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
   }
 }
 
-// stage: the DOM: measure, paint, observe, loop ─────────────────────────────────────────────────────────────
+// stage/stage: the DOM: measure, paint, observe, loop ───────────────────────────────────────────────────────
 
 /** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'

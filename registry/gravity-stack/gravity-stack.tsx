@@ -1,6 +1,6 @@
 import { cn } from 'cn'
 import * as React from 'react'
-import { createStage, type Stage } from './stage'
+import { createStage, type Stage } from './stage/stage'
 
 /** What `actionsRef` gives a caller. */
 export interface GravityStackActions {

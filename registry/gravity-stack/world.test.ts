@@ -8,8 +8,8 @@ import { exactScenes } from '../../scenes/exact'
 import { type Kind, pourChips, pourStage } from '../../scenes/piles'
 import { type Chip, conditions, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
-import { fingerprint, pinned } from './pins'
-import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing'
+import { fingerprint, pinned } from './testing/pins'
+import { energy, finite, outside, overlap, readAll, run, settle, stage, worldOf } from './testing/worlds'
 import { createWorld, type World } from './world'
 
 /** What Node prints in a process of its own, where no other test has shaped the compiled code. */
@@ -365,7 +365,7 @@ describe('the same bits', () => {
   it('settle five named scenes at the pinned step: renew with npx vitest run registry/gravity-stack/world -u', async () => {
     const all = Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)]))
     for (const [name, { steps }] of Object.entries(all)) expect(steps, name).toBeLessThan(600)
-    await expect(`${JSON.stringify(all, null, 2)}\n`).toMatchFileSnapshot('./pins.json')
+    await expect(`${JSON.stringify(all, null, 2)}\n`).toMatchFileSnapshot('./testing/pins.json')
   })
 
   it('come twice from the same scene', () => {
@@ -375,7 +375,7 @@ describe('the same bits', () => {
 
 describe('a step', () => {
   it('allocates next to nothing: 60 chips awake, 600 steps, in a process of its own', async () => {
-    const sample = fileURLToPath(new URL('./heap-sample.ts', import.meta.url))
+    const sample = fileURLToPath(new URL('./testing/heap-sample.ts', import.meta.url))
     const rounds: number[] = JSON.parse(await node(['--import', 'tsx', sample]))
     // The least of the rounds: one in which a function is compiled anew is not the rule.
     // A sampler that sees nothing would see this as well.
@@ -405,7 +405,7 @@ describe('what was compiled for one world', () => {
   let [before, making, after] = ['', '', '']
 
   beforeAll(async () => {
-    const script = fileURLToPath(new URL('./second-world.ts', import.meta.url))
+    const script = fileURLToPath(new URL('./testing/second-world.ts', import.meta.url))
     // In one thread, so that what is compiled when hangs on nothing else that runs.
     const flags = ['--single-threaded', '--trace-deopt', '--trace-opt', '--expose-gc']
     const trace = await node([...flags, '--import', 'tsx', script])

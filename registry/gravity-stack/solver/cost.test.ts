@@ -5,7 +5,7 @@ import { Script } from 'node:vm'
 import { build } from 'esbuild'
 import { beforeAll, describe, expect, it } from 'vitest'
 import type { Chip } from '../../../scenes/scene'
-import type { settle as Settle, worldOf as WorldOf } from '../testing'
+import type { settle as Settle, worldOf as WorldOf } from '../testing/worlds'
 import { CONTACT } from './state'
 
 // What does not have to run, does not run: counted by the engine itself, function by function and block by block, so that
@@ -20,7 +20,7 @@ let settle: typeof Settle
 
 beforeAll(async () => {
   const { outputFiles } = await build({
-    entryPoints: [join(here, '../testing.ts')],
+    entryPoints: [join(here, '../testing/worlds.ts')],
     bundle: true,
     write: false,
     format: 'iife',

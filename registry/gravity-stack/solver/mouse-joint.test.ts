@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest'
 import { chipDistance } from '../../../scenes/exact-distance'
 import { pourChips } from '../../../scenes/piles'
 import { type Chip, frame } from '../../../scenes/scene'
-import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from '../testing'
+import { finite, outside, overlap, readAll, run, settle, stage, worldOf } from '../testing/worlds'
 import { createJoint } from './mouse-joint'
 
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }

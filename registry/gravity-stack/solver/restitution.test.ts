@@ -4,7 +4,7 @@ import type { Shape } from '../../../scenes/exact-distance'
 import { massOf } from '../../../scenes/references'
 import { type Chip, frame } from '../../../scenes/scene'
 import { seeded } from '../../../scenes/seeded'
-import { energy, overlap, readAll, run, settle, stage, worldOf } from '../testing'
+import { energy, overlap, readAll, run, settle, stage, worldOf } from '../testing/worlds'
 
 function anyShape(random: () => number): Shape {
   const height = 16 + 60 * random()

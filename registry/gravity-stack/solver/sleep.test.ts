@@ -4,7 +4,7 @@ import { hardScenes } from '../../../scenes/hard'
 import { pourChips, pourStage } from '../../../scenes/piles'
 import { type Chip, frame } from '../../../scenes/scene'
 import { seeded } from '../../../scenes/seeded'
-import { overlap, readAll, run, settle, stage, worldOf } from '../testing'
+import { overlap, readAll, run, settle, stage, worldOf } from '../testing/worlds'
 
 const box = { width: 60, height: 40, angle: 0 }
 const pill = { width: 80, height: 30, radius: 15, angle: 0 }

@@ -1,7 +1,7 @@
-import type { Release } from './drop'
+import { STEP } from '../solver/constants'
+import { createWorld } from '../solver/world'
+import type { Release } from './release'
 import { addReleased, type Pile } from './release-queue'
-import { STEP } from './solver/constants'
-import { createWorld } from './solver/world'
 
 // Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie; equal steps give equal
 // bits, so it tells the truth. A chip is then drawn turned from the start: after half a turn its body is the same, and so is the pile.

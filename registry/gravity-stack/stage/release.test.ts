@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
-import { chipDistance, type Pose } from '../../scenes/exact-distance'
-import { reach, releasePose, releaseTime, scatter } from './drop'
-import { STEP } from './solver/constants'
+import { chipDistance, type Pose } from '../../../scenes/exact-distance'
+import { STEP } from '../solver/constants'
+import { reach, releasePose, releaseTime, scatter } from './release'
 
 const pose = (index: number, width = 80, height = 36, stage = 640, gravity = 2600) =>
   releasePose(index, width, height, stage, gravity, [])
@@ -19,7 +19,7 @@ describe('the drop', () => {
       vy: 0,
       spin: 0.5343666110300546,
     })
-    const source = readFileSync(new URL('./drop.ts', import.meta.url), 'utf8')
+    const source = readFileSync(new URL('./release.ts', import.meta.url), 'utf8')
     expect(source).not.toMatch(/Math\.(random|sin|cos|tan|exp|log|pow|hypot|atan2?)|Date| \*\* /)
   })
 

@@ -1,5 +1,5 @@
+import type { Grab } from '../solver/world'
 import type { Chip } from './chip'
-import type { Grab } from './solver/world'
 
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 export const TOUCH_HOLD = 180

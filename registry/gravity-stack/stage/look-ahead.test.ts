@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest'
-import { type Kind, pourChips } from '../../scenes/piles'
-import { frame } from '../../scenes/scene'
-import { type Release, reach, releaseTime } from './drop'
+import { type Kind, pourChips } from '../../../scenes/piles'
+import { frame } from '../../../scenes/scene'
+import { run, stage, worldOf } from '../testing/worlds'
+import { createWorld } from '../world'
 import { createLookAhead, uprightTurn } from './look-ahead'
+import { type Release, reach, releaseTime } from './release'
 import { addReleased } from './release-queue'
-import { run, stage, worldOf } from './testing'
-import { createWorld } from './world'
 
 describe('a world that follows another', () => {
   for (const kind of ['pills', 'badges', 'mixed'] as Kind[])

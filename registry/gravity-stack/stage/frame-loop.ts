@@ -1,5 +1,5 @@
 import { cancelFrame, frame } from 'motion'
-import type { View } from './view'
+import type { View } from './visibility'
 
 /** Calls `tick` once in every frame of a window, from `start` to `stop`. */
 export function createLoop(view: View, tick: () => void) {

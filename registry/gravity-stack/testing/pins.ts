@@ -1,8 +1,8 @@
 // Five named scenes, each with the step at which it sleeps and the hash of its poses then: the same bits in every
 // JavaScript engine. pins.json holds them.
-import { sceneNamed } from '../../scenes'
-import { frame } from '../../scenes/scene'
-import type { createWorld } from './world'
+import { sceneNamed } from '../../../scenes'
+import { frame } from '../../../scenes/scene'
+import type { createWorld } from '../world'
 
 export const pinned = ['topple', 'slide', 'stack-10', 'pour-pills-60', 'pour-mixed-60'] as const
 

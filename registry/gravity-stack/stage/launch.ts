@@ -1,5 +1,5 @@
-import { scatter } from './drop'
-import { ANGULAR_DAMPING } from './solver/constants'
+import { ANGULAR_DAMPING } from '../solver/constants'
+import { scatter } from './release'
 
 /** px/s² of the least gravity that kicks are made for. */
 const KICK_GRAVITY = 100

@@ -1,4 +1,4 @@
-import { BOUNCE, FRICTION, GRAVITY } from './solver/constants'
+import { BOUNCE, FRICTION, GRAVITY } from '../solver/constants'
 
 /** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
 export const LIMITS = {

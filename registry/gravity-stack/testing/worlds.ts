@@ -1,8 +1,8 @@
 // What the tests of the rooms share: worlds filled with a scene's chips, and what any correct answer has.
-import { type Shape, type Stage, stageDistance, worstOverlap } from '../../scenes/exact-distance'
-import { massOf } from '../../scenes/references'
-import { type Chip, frame } from '../../scenes/scene'
-import { createWorld, type World, type WorldOptions } from './world'
+import { type Shape, type Stage, stageDistance, worstOverlap } from '../../../scenes/exact-distance'
+import { massOf } from '../../../scenes/references'
+import { type Chip, frame } from '../../../scenes/scene'
+import { createWorld, type World, type WorldOptions } from '../world'
 
 export const stage = { width: 640, height: 340 }
 

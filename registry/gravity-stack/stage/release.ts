@@ -1,4 +1,4 @@
-import { STEP } from './solver/constants'
+import { STEP } from '../solver/constants'
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
 // So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:

@@ -1,6 +1,6 @@
+import type { World } from '../solver/world'
 import type { Chip } from './chip'
-import { type Obstacle, type Release, releasePose, releaseTime } from './drop'
-import type { World } from './solver/world'
+import { type Obstacle, type Release, releasePose, releaseTime } from './release'
 
 /** A world, and what was released into it, by the ids of the bodies. */
 export interface Pile<T extends Release = Release> {

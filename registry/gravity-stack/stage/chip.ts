@@ -1,4 +1,4 @@
-import type { Release } from './drop'
+import type { Release } from './release'
 
 // From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
 // React renders the chips' wrappers and never touches their style or state again: those are the stage's.

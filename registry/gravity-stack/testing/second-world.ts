@@ -2,8 +2,8 @@
 // world.test.ts with --trace-deopt, --trace-opt and --expose-gc, in a process of its own, where nothing else has shaped the
 // compiled code.
 import { writeSync } from 'node:fs'
-import { pourChips } from '../../scenes/piles'
-import { run, worldOf } from './testing'
+import { pourChips } from '../../../scenes/piles'
+import { run, worldOf } from './worlds'
 
 const chips = pourChips('pills', 60, 1)
 const mark = (name: string) => writeSync(1, `\n<${name}>\n`)
