@@ -17,7 +17,7 @@ import { sizeRows } from './accept/size'
 import { here, solverAt, worldScript } from './accept/solver'
 import { markdown, printTable, printTimings, type Titled } from './accept/table'
 import { isDearer, type Timing, timings } from './accept/time'
-import { bundle, root } from './run-job'
+import { bundle, root } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: {

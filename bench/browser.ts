@@ -8,6 +8,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import type { Browser } from '@playwright/test'
+import { median } from './accuracy/trajectory'
 import {
   count,
   interact,
@@ -21,9 +22,8 @@ import {
 import type { BrowserResults, Drop, PlanCost, StageName, StageResult } from './browser/results'
 import { stageNames } from './browser/serve'
 import { launch, restful, server } from './browser/visit'
-import { median } from './film'
-import { commit, machine } from './machine'
-import { root } from './run-job'
+import { commit, machine } from './publish/machine'
+import { root } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: { stage: { type: 'string' }, plan: { type: 'boolean' }, out: { type: 'string' } },

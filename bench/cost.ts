@@ -3,11 +3,11 @@
 //                         [--kind pills|badges|mixed] [--rounds 3] [--ms 800]
 import { parseArgs } from 'node:util'
 import type { Kind } from '../scenes/piles'
-import { settingName } from './engine'
+import { median } from './accuracy/trajectory'
 import { loadEngine } from './engines'
-import { median } from './film'
-import { type Cost, medianCost, pourSeeds } from './job'
-import { bundle, runJob } from './run-job'
+import { settingName } from './engines/engine'
+import { type Cost, medianCost, pourSeeds } from './speed/job'
+import { bundle, runJob } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: {

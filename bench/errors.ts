@@ -3,10 +3,10 @@
 // --scene takes parts of names. Without --all and --scene the piles of 250 and 1000 chips are left out.
 import { parseArgs } from 'node:util'
 import { scenes } from '../scenes'
-import { type Setting, settingName } from './engine'
+import { sceneErrors } from './accuracy/trajectory'
 import { loadEngine } from './engines'
-import { sceneErrors } from './film'
-import { short } from './write'
+import { type Setting, settingName } from './engines/engine'
+import { short } from './publish/write'
 
 const { values: options } = parseArgs({
   options: {

@@ -6,10 +6,10 @@ import { scenes } from '../scenes'
 import { type Check, checks, type FuzzScene } from '../scenes/fuzzed'
 import { type HardFigures, type HardScene, hardUnits } from '../scenes/hard'
 import { type Chip, conditions, numbersPerChip } from '../scenes/scene'
+import { filmScene } from './accuracy/trajectory'
 import { ours } from './engines/ours'
-import { filmScene } from './film'
-import { lastLanding, playFuzz } from './fuzz-run'
-import { hardRows, misses } from './hard-run'
+import { lastLanding, playFuzz } from './fuzz/play'
+import { hardRows, misses } from './stability/play'
 
 type Fault = (state: Float64Array, step: number, resting: boolean) => void
 

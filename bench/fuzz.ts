@@ -7,8 +7,8 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type Check, checks, type Found, fromJson, toJson } from '../scenes/fuzzed'
-import { playFuzz } from './fuzz-run'
-import { block, smallest, survey } from './fuzz-search'
+import { playFuzz } from './fuzz/play'
+import { block, smallest, survey } from './fuzz/search'
 
 const { values } = parseArgs({
   options: {
@@ -32,7 +32,7 @@ const load = (): Found[] => fromJson(readFileSync(foundFile, 'utf8'))
 if (values.accept) {
   const { asked, misses } = survey(1, 0)
   const counts = Object.fromEntries(Object.entries(misses).map(([check, { count }]) => [check, count]))
-  writeFileSync(pathOf('./fuzz-accepted.json'), `${toJson({ asked, misses: counts })}\n`)
+  writeFileSync(pathOf('./fuzz/accepted.json'), `${toJson({ asked, misses: counts })}\n`)
   const found = load().map(({ name, check, scene }) => {
     const open = playFuzz(scene, check) !== undefined
     console.log(`${name}: ${open ? 'open' : 'holds'}`)

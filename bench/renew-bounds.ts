@@ -4,9 +4,9 @@
 import { readFileSync, writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { scenes } from '../scenes'
-import { type Bounds, measureScene } from './gate'
+import { type Bounds, measureScene } from './accuracy/regression'
 
-const file = fileURLToPath(new URL('./bounds.json', import.meta.url))
+const file = fileURLToPath(new URL('./accuracy/bounds.json', import.meta.url))
 const before: Bounds = JSON.parse(readFileSync(file, 'utf8'))
 const after: Bounds = {}
 

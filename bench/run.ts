@@ -8,13 +8,13 @@
 //   npm run bench -- --fresh          forgets what was measured before
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { collect } from './run/collect'
-import { enough, openContest } from './run/contest'
-import { openFilms } from './run/films'
-import { openLedger } from './run/ledger'
-import { openTimes } from './run/times'
-import { root } from './run-job'
-import { printResults, writeResults } from './write'
+import { openFilms } from './accuracy/error-runs'
+import { collect } from './publish/collect'
+import { printResults, writeResults } from './publish/write'
+import { enough, openContest } from './speed/plan'
+import { openTimes } from './speed/schedule'
+import { openLedger } from './speed/timings'
+import { root } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: {

@@ -7,9 +7,9 @@ import { writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type HardFigures, hardScenes, hardUnits } from '../scenes/hard'
+import { filmScene } from './accuracy/trajectory'
 import { loadEngine } from './engines'
-import { filmScene } from './film'
-import { type HardRow, hardRows, holds, playHardScene, slowedBy } from './hard-run'
+import { type HardRow, hardRows, holds, playHardScene, slowedBy } from './stability/play'
 
 const { values: options } = parseArgs({
   options: {

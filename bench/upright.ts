@@ -3,10 +3,10 @@
 //   npm run bench:upright -- --part demos,slow
 import { parseArgs } from 'node:util'
 import type { Page } from '@playwright/test'
+import { median } from './accuracy/trajectory'
 import type { Look } from './browser/chips'
 import { categories, Trace } from './browser/trace'
 import { dropped, launch, visit, wait } from './browser/visit'
-import { median } from './film'
 
 const { values } = parseArgs({
   options: { part: { type: 'string', default: 'demos,looks,crowd,slow,script,frame' } },

@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs'
 import { test as early, expect } from '@playwright/test'
-import type { Results } from '../bench/report'
+import type { Results } from '../bench/publish/report'
 import { figure } from '../lib/figure'
 import { test, withhold } from './page'
 

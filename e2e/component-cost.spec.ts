@@ -1,6 +1,6 @@
 import type { CDPSession, Page } from '@playwright/test'
+import { median } from '../bench/accuracy/trajectory'
 import { categories, Trace } from '../bench/browser/trace'
-import { median } from '../bench/film'
 import { hideTab } from './fixtures/hide-tab'
 import { expect, StagePage, test } from './fixtures/stage'
 

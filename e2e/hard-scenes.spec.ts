@@ -8,7 +8,7 @@ import { hardScenes } from '../scenes/hard'
 const script = build({
   stdin: {
     contents: `
-      import { playHard } from './hard-run'
+      import { playHard } from './stability/play'
       import { hardScenes } from '../scenes/hard'
       globalThis.playTwin = (name, seed) => {
         const scene = hardScenes.find((scene) => scene.name === name)

@@ -1,5 +1,5 @@
 import 'server-only'
-import { ours } from '@/bench/report'
+import { ours } from '@/bench/publish/report'
 import { browserResults, dropOf } from './evidence/browser'
 import { costRow, results } from './evidence/results'
 import { componentSize } from './size'

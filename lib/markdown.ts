@@ -1,6 +1,6 @@
 import 'server-only'
 import type { Doc } from 'contentlayer/generated'
-import { ours } from '@/bench/report'
+import { ours } from '@/bench/publish/report'
 import { siteUrl, version } from '@/site.config.mjs'
 import { blocks, blocksPitch } from './blocks'
 import { docs, navigation } from './docs'

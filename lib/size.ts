@@ -1,5 +1,5 @@
 import 'server-only'
-import { componentBytes } from '@/bench/bytes'
+import { componentBytes } from '@/bench/publish/bytes'
 
 /** kB, as the benchmark weighs the component. Measured when the site is built. */
 export const componentSize = async () => ((await componentBytes()) / 1000).toFixed(1)

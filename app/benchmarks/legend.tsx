@@ -1,4 +1,4 @@
-import { ours } from '@/bench/report'
+import { ours } from '@/bench/publish/report'
 import { engineOrder, looks } from '@/lib/evidence/engines'
 import { results } from '@/lib/evidence/results'
 import { Mark } from './plot'

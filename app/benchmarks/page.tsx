@@ -1,7 +1,7 @@
 import './benchmarks.css'
 import type { Metadata } from 'next'
 import type { ReactNode } from 'react'
-import type { Results } from '@/bench/report'
+import type { Results } from '@/bench/publish/report'
 import { Heading } from '@/components/heading'
 import { OnThisPage } from '@/components/on-this-page'
 import { PageEnd } from '@/components/page-end'

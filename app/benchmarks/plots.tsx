@@ -1,4 +1,4 @@
-import { frontier, points, rounding } from '@/bench/report'
+import { frontier, points, rounding } from '@/bench/publish/report'
 import { engineOrder } from '@/lib/evidence/engines'
 import { defaultCosts, plotTitle, results } from '@/lib/evidence/results'
 import { Plot, type PlotLine } from './plot'

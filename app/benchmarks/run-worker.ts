@@ -1,9 +1,10 @@
 // Pours chips with three engines in the visitor's browser and posts what it finds.
-import type { Engine, Setting } from '@/bench/engine'
+
+import { filmScene, median } from '@/bench/accuracy/trajectory'
+import type { Engine, Setting } from '@/bench/engines/engine'
 import { matter } from '@/bench/engines/matter'
 import { ours } from '@/bench/engines/ours'
 import { rapierPlain } from '@/bench/engines/rapier'
-import { filmScene, median } from '@/bench/film'
 import { sceneNamed } from '@/scenes'
 import { Film } from '@/scenes/scene'
 

@@ -1,5 +1,5 @@
 import type { ReactNode } from 'react'
-import { noise, ours, type Verdict } from '@/bench/report'
+import { noise, ours, type Verdict } from '@/bench/publish/report'
 import { engineOrder, settingTitle } from '@/lib/evidence/engines'
 import { claim, costRow, dearer, defaultCosts, results, sizes } from '@/lib/evidence/results'
 import { capital, settingsByEngine, verdictHead, verdictWords } from '@/lib/evidence/words'

@@ -6,7 +6,7 @@ import { moves } from '../../scenes/moves'
 import { frame } from '../../scenes/scene'
 import { standing } from '../../scenes/standing'
 import { knocks, type Throw, tossedAlone } from '../../scenes/throws'
-import { playHard } from '../hard-run'
+import { playHard } from '../stability/play'
 import { restBound } from './pours'
 import { figureOf, type Group, over, type Row, type Run, type Subject } from './row'
 

@@ -4,10 +4,10 @@ import { type Check, checks } from '../../scenes/fuzzed'
 import { hardScenes } from '../../scenes/hard'
 import { pileScenes } from '../../scenes/piles'
 import type { Scene } from '../../scenes/scene'
+import { filmScene } from '../accuracy/trajectory'
 import { ours } from '../engines/ours'
-import { filmScene } from '../film'
-import { block, survey } from '../fuzz-search'
-import { playHardScene } from '../hard-run'
+import { block, survey } from '../fuzz/search'
+import { playHardScene } from '../stability/play'
 import { figureOf, type Group, over, type Run, type Subject } from './row'
 
 function measured(scene: Scene): Run {

@@ -4,7 +4,7 @@ import { createHash } from 'node:crypto'
 import { appendFileSync, existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { createInterface } from 'node:readline'
-import { root } from '../run-job'
+import { root } from '../worker/run-job'
 import type { Run, Subject } from './row'
 
 type Part = { subject: Subject; seeds: number[] }

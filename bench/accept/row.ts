@@ -1,4 +1,4 @@
-import { median } from '../film'
+import { median } from '../accuracy/trajectory'
 
 /** What one run of a subject gives; each figure by its name. Infinity stands for what never came. */
 export type Run = Record<string, number>

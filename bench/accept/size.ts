@@ -1,7 +1,7 @@
 // What the component weighs and how much of it there is to read.
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { componentBytes } from '../bytes'
+import { componentBytes } from '../publish/bytes'
 import type { Row } from './row'
 import type { Solver } from './solver'
 

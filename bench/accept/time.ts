@@ -1,7 +1,7 @@
 // What a frame costs beside the solver of another commit.
 import { execFile } from 'node:child_process'
 import { promisify } from 'node:util'
-import { bundle } from '../run-job'
+import { bundle } from '../worker/run-job'
 import { type Solver, worldScript } from './solver'
 
 /** Median µs of processor a frame of both, and their ratio: median and quartiles of all rounds. */

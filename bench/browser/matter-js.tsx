@@ -2,7 +2,7 @@ import Matter from 'matter-js'
 import * as React from 'react'
 import { releasePose } from '../../registry/gravity-stack/stage/release'
 import { conditions } from '../../scenes/scene'
-import { walls } from '../engine'
+import { walls } from '../engines/engine'
 import { Field, type StageProps } from './chips'
 
 /** Matter with DOM elements, the way its users build it: Engine, Runner, a mouse constraint, and a loop that writes transforms. */

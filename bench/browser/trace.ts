@@ -1,5 +1,5 @@
 // Reads a trace of Chromium: what the main thread of the page did, frame by frame.
-import { median } from '../film'
+import { median } from '../accuracy/trajectory'
 import type { FrameCost } from './results'
 
 type TraceEvent = {

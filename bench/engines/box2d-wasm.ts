@@ -1,6 +1,6 @@
 import { cornerRadius } from '../../scenes/exact-distance'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import { type Engine, pixelsPerMetre as ppm, walls } from '../engine'
+import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
 // biome-ignore lint/suspicious/noExplicitAny: the package types its builds apart, and both are used through one adapter
 type Box2D = any

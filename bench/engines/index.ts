@@ -1,4 +1,4 @@
-import type { Engine } from '../engine'
+import type { Engine } from './engine'
 
 // Loaded one by one: a process that measures one engine holds no other engine's code.
 const loaders: Record<string, () => Promise<Engine>> = {

@@ -2,7 +2,7 @@ import Matter from 'matter-js'
 import { cornerRadius } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import { type Engine, walls } from '../engine'
+import { type Engine, walls } from './engine'
 
 const milliseconds = 1000 * frame
 

@@ -1,6 +1,6 @@
 import { createWorld } from '../../registry/gravity-stack/world'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import type { Engine } from '../engine'
+import type { Engine } from './engine'
 
 export const ours: Engine = {
   name: 'gravity-stack',

@@ -2,7 +2,7 @@ import * as p2 from 'p2-es'
 import { cornerRadius } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import { type Engine, pixelsPerMetre as ppm, walls } from '../engine'
+import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
 export const p2es: Engine = {
   name: 'p2-es',

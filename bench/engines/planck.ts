@@ -2,7 +2,7 @@ import { type Body, Box, Circle, Settings, Vec2, World } from 'planck'
 import { cornerRadius } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import { type Engine, pixelsPerMetre as ppm, walls } from '../engine'
+import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
 export const planck: Engine = {
   name: 'planck',

@@ -2,7 +2,7 @@ import type Rapier from '@dimforge/rapier2d-compat'
 import { cornerRadius } from '../../scenes/exact-distance'
 import { massOf } from '../../scenes/references'
 import { frame, numbersPerChip } from '../../scenes/scene'
-import { type Engine, pixelsPerMetre as ppm, walls } from '../engine'
+import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
 type Api = typeof Rapier
 

@@ -1,5 +1,5 @@
+import { filmScene } from '@/bench/accuracy/trajectory'
 import { ours } from '@/bench/engines/ours'
-import { filmScene } from '@/bench/film'
 import type { Film, Scene } from '@/scenes/scene'
 
 /** A named scene through the component's solver, every frame kept, as the benchmark runs it. */

@@ -1,6 +1,6 @@
 'use client'
 
-import { playHardScene, type Watch } from '@/bench/hard-run'
+import { playHardScene, type Watch } from '@/bench/stability/play'
 import { shortFigure } from '@/lib/figure'
 import { type HardFigures, hardScenes, named } from '@/scenes/hard'
 import { chipColours, drawChip, drawLine } from './draw'

@@ -1,4 +1,4 @@
-import { frontier, ours, points, type Results, verdicts } from '@/bench/report'
+import { frontier, ours, points, type Results, verdicts } from '@/bench/publish/report'
 import data from '@/bench/results/results.json'
 import { engineOrder, settingTitle } from './engines'
 

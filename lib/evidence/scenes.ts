@@ -1,5 +1,5 @@
-import fuzz from '@/bench/fuzz-accepted.json'
-import { ours } from '@/bench/report'
+import fuzz from '@/bench/fuzz/accepted.json'
+import { ours } from '@/bench/publish/report'
 import measured from '@/bench/results/stability.json'
 import { scenes } from '@/scenes'
 import { checks } from '@/scenes/fuzzed'

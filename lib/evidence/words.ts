@@ -1,4 +1,4 @@
-import type { Results, Verdict } from '@/bench/report'
+import type { Results, Verdict } from '@/bench/publish/report'
 import { figure } from '../figure'
 import { engineOrder, looks, settingTitle } from './engines'
 import { results } from './results'

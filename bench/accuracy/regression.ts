@@ -1,0 +1,20 @@
+// What our solver answers in every scene of the benchmark, and how much work that takes: the same numbers everywhere.
+import type { Scene } from '../../scenes/scene'
+import { ours } from '../engines/ours'
+import { filmScene } from './trajectory'
+
+type SceneBound = { errors: Record<string, number>; work: Record<string, number> }
+export type Bounds = Record<string, SceneBound>
+
+/** What costs time: pairs measured, contact points that touch after a step, sub-steps, sweeps. */
+const counted = ['narrow', 'points', 'substeps', 'sweeps']
+
+/** Chaotic scenes are held to their first seed. */
+export function measureScene(scene: Scene): SceneBound {
+  const { film, work } = filmScene(ours, scene, {}, 1)
+  const errors = scene.measure(film)
+  return {
+    errors: Object.fromEntries(scene.measures.map(({ name }, i) => [name, errors[i]])),
+    work: Object.fromEntries(counted.map((key) => [key, work[key] ?? 0])),
+  }
+}

@@ -1,0 +1,126 @@
+// What is known so far of what things cost.
+
+import { median } from '../accuracy/trajectory'
+import type { Setting } from '../engines/engine'
+import { ours } from '../publish/report'
+import { type AtLeast, type Cost, type Job, medianCost, pourSeeds } from './job'
+import { type Contest, type Contestant, largeSize, pourFrames, sameSetting } from './plan'
+
+export type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
+export type Ledger = ReturnType<typeof openLedger>
+
+export function openLedger({ quick, rounds, sizes, isDefault, tasks }: Contest) {
+  const { outcomeOf, wasTried, failureOf } = tasks
+  const allRounds = Array.from({ length: rounds }, (_, round) => round)
+
+  // Pours
+
+  /** ms after which a pour is given up: a peer's at another setting than the default once it has taken a fifth longer than ours. */
+  function pourPatience(contestant: Contestant, chips: number): number {
+    const own = isDefault(contestant) || contestant.engine === ours ? undefined : ownMean(chips)
+    return own ? Math.max(1000, 100 * Math.ceil((1.2 * own * pourFrames) / 1e5)) : 24_000
+  }
+  const pourJob = (contestant: Contestant, chips: number) => ({
+    kind: 'pour cost' as const,
+    ...contestant,
+    chips,
+    shape: 'pills' as const,
+    seeds: quick ? 1 : pourSeeds(chips),
+    warmUp: quick ? 150 : 600,
+    patience: pourPatience(contestant, chips),
+  })
+  const pourOf = (contestant: Contestant, chips: number, round = 0) =>
+    outcomeOf(pourJob(contestant, chips), round)
+
+  /** The cost of the largest pour with fewer chips that was tried, if any was; null when it broke down. */
+  function withFewer(contestant: Contestant, chips: number): Cost | AtLeast | null | undefined {
+    const fewer = sizes[sizes.indexOf(chips) - 1]
+    if (!fewer) return undefined
+    return wasTried(pourJob(contestant, fewer)) ? pourOf(contestant, fewer) : withFewer(contestant, fewer)
+  }
+
+  /** What the rounds gave in which a pour was played to its end. */
+  function roundsOf(contestant: Contestant, chips: number): Cost[] {
+    return allRounds
+      .map((round) => pourOf(contestant, chips, round))
+      .filter((run) => run !== null && 'mean' in run)
+  }
+  /** µs a frame of a pour, in the median of its rounds. */
+  function meanOf(contestant: Contestant, chips: number) {
+    const costs = roundsOf(contestant, chips)
+    return costs.length > 0 ? medianCost(costs).mean : undefined
+  }
+  function ownMean(chips: number) {
+    return meanOf({ engine: ours, setting: {} }, chips)
+  }
+
+  /** µs that a frame takes with fewer chips at a setting, and so at least with more; 0 where nothing is known. */
+  function leastOf(contestant: Contestant, chips: number): number {
+    const fewer = withFewer(contestant, chips)
+    if (fewer) return 'mean' in fewer ? fewer.mean : fewer.atLeast
+    // Settings that few chips are not poured at are swept in a scene of their own.
+    return chips > 60 ? costOf(contestant.engine, 'pour-pills-60', contestant.setting) || 0 : 0
+  }
+
+  /** What is known of a pour that nobody could wait for. */
+  function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; reason: string } {
+    const seconds = (micros: number) => `${((micros * pourFrames) / 1e6).toFixed(1)} s`
+    const own = pourOf(contestant, chips)
+    if (own && 'atLeast' in own) {
+      return { atLeast: own.atLeast, reason: `given up after ${seconds(own.atLeast)}` }
+    }
+    const taken = leastOf(contestant, chips)
+    if (!taken || wasTried(pourJob(contestant, chips))) {
+      return { reason: failureOf(pourJob(contestant, chips)) ?? 'failed with fewer chips' }
+    }
+    return { atLeast: taken, reason: `not tried: fewer chips took ${seconds(taken)}` }
+  }
+
+  // Scenes
+
+  const sceneJobs: SceneCostJob[][] = allRounds.map(() => [])
+  function sceneOutcomeOf(engine: string, scene: string, setting: Setting, round: number) {
+    const job = sceneJobs[round].find((job) => job.engine === engine && job.scene === scene)
+    const i = job?.settings.findIndex((other) => sameSetting(other, setting)) ?? -1
+    return i < 0 ? null : (outcomeOf(job!, round)?.[i] ?? null)
+  }
+  function sceneCostOf(engine: string, scene: string, setting: Setting, round: number) {
+    const cost = sceneOutcomeOf(engine, scene, setting, round)
+    return typeof cost === 'number' ? cost : null
+  }
+  /** µs that a frame of a scene takes at least at a setting that was given up there. */
+  function sceneLeastOf(engine: string, scene: string, setting: Setting) {
+    const cost = sceneOutcomeOf(engine, scene, setting, 0)
+    return cost !== null && typeof cost !== 'number' ? cost.atLeast : undefined
+  }
+  function roundsOfScene(engine: string, scene: string, setting: Setting) {
+    return allRounds
+      .map((round) => sceneCostOf(engine, scene, setting, round))
+      .filter((cost) => cost !== null)
+  }
+
+  /** µs of a frame, in the median of its rounds, or at least so many; NaN where nothing is known. */
+  function costOf(engine: string, scene: string, setting: Setting): number {
+    const chips = largeSize({ name: scene })
+    if (chips) return meanOf({ engine, setting }, chips) ?? Number.NaN
+    const costs = roundsOfScene(engine, scene, setting)
+    return costs.length > 0 ? median(costs) : (sceneLeastOf(engine, scene, setting) ?? Number.NaN)
+  }
+
+  return {
+    pourJob,
+    pourOf,
+    withFewer,
+    roundsOf,
+    meanOf,
+    ownMean,
+    leastOf,
+    unmeasured,
+    /** Scenes are timed by these jobs; their outcome is asked for by scene and setting. */
+    noteSceneJob: (job: SceneCostJob, round: number) => void sceneJobs[round].push(job),
+    sceneCostOf,
+    sceneLeastOf,
+    roundsOfScene,
+    costOf,
+  }
+}
