@@ -2170,6 +2170,17 @@ interface BodyOptions {
   density?: number
 }
 
+/** Pose and velocity of a body: px, radians, px/s, rad/s. */
+interface Reading {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
 type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
 
 interface Grab {
@@ -2203,7 +2214,6 @@ function createWorld(options: WorldOptions) {
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const pose: Float64Array = new Float64Array(3)
   // Floor and walls.
   for (let i = 0; i < FIRST_CHIP; i++) {
     bodies.order[bodies.orderCount++] = i
@@ -2365,30 +2375,38 @@ function createWorld(options: WorldOptions) {
       return scene.left
     },
 
-    /** Writes x, y (px), angle (rad), vx, vy (px/s) and spin (rad/s) of body `id` into `out`. */
-    readInto(id: number, out: Float64Array): void {
-      for (let n = 0; n < out.length; n++) out[n] = bodies.state[id * STATE + n]
+    /** Pose and velocity of body `id`. */
+    read(id: number): Reading {
+      const { state } = bodies
+      const s = id * STATE
+      return {
+        x: state[s + X],
+        y: state[s + Y],
+        angle: state[s + ANGLE],
+        vx: state[s + VX],
+        vy: state[s + VY],
+        spin: state[s + SPIN],
+        asleep: bodies.asleep[id] > 0,
+      }
     },
 
     /** What the world is made of. */
     scene,
 
-    /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
-    pose,
-
-    /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
-    eachMoved(visit: (id: number, asleep: boolean) => void): void {
+    /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
+    eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
-        undrawn[i] = 1 - bodies.asleep[i]
-        for (let axis = 0; axis < 3; axis++) {
+        const asleep = bodies.asleep[i] > 0
+        undrawn[i] = asleep ? 0 : 1
+        const coordinate = (axis: number) => {
           const now = state[i * STATE + axis]
           const then = before[i * 3 + axis]
-          pose[axis] = undrawn[i] > 0 ? then + share * (now - then) : now
+          return asleep ? now : then + share * (now - then)
         }
-        visit(i, undrawn[i] === 0)
+        visit(i, coordinate(X), coordinate(Y), coordinate(ANGLE), asleep)
       }
     },
 
@@ -2694,9 +2712,6 @@ interface Pile<T extends Release = Release> {
   chips: T[]
 }
 
-/** x and y of a body. */
-const middle: Float64Array = new Float64Array(2)
-
 /** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
 function addReleased<T extends Release>(
   { world, chips }: Pile<T>,
@@ -2706,8 +2721,8 @@ function addReleased<T extends Release>(
 ): number {
   const obstacles: Obstacle[] = []
   chips.forEach(({ reach }, id) => {
-    world.readInto(id, middle)
-    if (middle[1]! < reach) obstacles.push({ x: middle[0]!, y: middle[1]!, reach })
+    const { x, y } = world.read(id)
+    if (y < reach) obstacles.push({ x, y, reach })
   })
   const { order, width, height, radius } = next
   const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
@@ -2815,7 +2830,6 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
   let revision = Number.NaN
   /** s of the stage's clock to which the copy has come. */
   let time = 0
-  const motion: Float64Array = new Float64Array(3)
 
   return {
     /**
@@ -2852,9 +2866,7 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
 
     /** rad at which the body of a released chip is expected to lie, as far as that is known by now. */
     expectedAngle(chip: T): number | undefined {
-      if (copy?.chips[chip.id] !== chip) return
-      copy.world.readInto(chip.id, motion)
-      return motion[2]
+      return copy?.chips[chip.id] === chip ? copy.world.read(chip.id).angle : undefined
     },
 
     /** Gives the copy back. */
@@ -3335,9 +3347,6 @@ interface Stage {
   detach(): void
 }
 
-/** What is read of a body: x, y, angle, and their rates. */
-const motion: Float64Array = new Float64Array(6)
-
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
@@ -3391,10 +3400,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
       return chip && chip.id >= 0 && live ? chip : undefined
     },
     take(chip, offX, offY) {
-      world!.readInto(chip.id, motion)
+      const { x, y } = world!.read(chip.id)
       fetched = false
       toFront(chip)
-      return world!.grab(chip.id, motion[0]! + offX, motion[1]! + offY)
+      return world!.grab(chip.id, x + offX, y + offY)
     },
     show(chip, state) {
       mark(chip, state)
@@ -3527,8 +3536,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** Turns the body of a chip to where it is drawn: in another shape it would no longer look the same turned. */
   function takeTurn(chip: Chip) {
-    world!.readInto(chip.id, motion)
-    if (chip.turn) world!.place(chip.id, { angle: motion[2]! + chip.turn })
+    if (chip.turn) world!.place(chip.id, { angle: world!.read(chip.id).angle + chip.turn })
     chip.turn = 0
   }
 
@@ -3623,13 +3631,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     sync()
   }
 
-  function paint(id: number, asleep: boolean) {
+  function paint(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = bodies[id]!
-    const { pose } = world!
-    const x = pose[0]
-    const y = pose[1]
-    if (!chip.turned) turnUnseen(chip, y, pose[2])
-    const angle = pose[2] + chip.turn
+    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    const angle = bodyAngle + chip.turn
     const dx = x - chip.x
     const dy = y - chip.y
     const swung = (angle - chip.angle) * chip.reach
@@ -3648,8 +3653,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
 
   /** Turns a chip to what lies upright in the end: in the last frame in which it is sure to be above the stage, where nobody sees it turn. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
-    world!.readInto(chip.id, motion)
-    const fall = LONGEST_FRAME * (motion[4]! + (LONGEST_FRAME / 2) * options.gravity)
+    const fall = LONGEST_FRAME * (world!.read(chip.id).vy + (LONGEST_FRAME / 2) * options.gravity)
     if (y + chip.reach + fall < 0) return
     chip.turned = true
     // Before it is first drawn it is out of sight as well.
@@ -3753,8 +3757,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     for (const chip of bodies) {
       if (!chip) continue
       chip.turned = true
-      world!.readInto(chip.id, motion)
-      if (options.upright) chip.turn = uprightTurn(chip, motion[2]!)
+      if (options.upright) chip.turn = uprightTurn(chip, world!.read(chip.id).angle)
     }
     show()
     world!.eachMoved(paint)

@@ -273,8 +273,7 @@ describe('a pile that has less room', () => {
         expect(overlap(world, ids, [grown, chips[1]!]), mode).toBeLessThan(0.05)
         expect(fastest(world, ids), mode).toBeLessThan(50)
         // Who was woken is drawn where it is by now.
-        const { pose } = world
-        if (paused) world.eachMoved((id) => expect(pose[0]).toBeCloseTo(world.read(id).x, 6))
+        if (paused) world.eachMoved((id, x) => expect(x).toBeCloseTo(world.read(id).x, 6))
       }
     }
   })
@@ -332,7 +331,7 @@ describe('time', () => {
       const heights: number[] = []
       for (let k = 0; k < 60; k++) {
         world.step(1 / rate)
-        world.eachMoved(() => heights.push(world.pose[1]))
+        world.eachMoved((_, _x, y) => heights.push(y))
       }
       const ways = heights.slice(8).map((y, i) => y - heights[7 + i])
       expect(ways.length, `${rate} Hz`).toBeGreaterThan(48)
@@ -344,17 +343,17 @@ describe('time', () => {
     const { world, ids } = worldOf([{ width: 40, height: 40, x: 320, y: 50, angle: 0, vx: 60 }])
     world.step(1.5 * frame)
     world.place(ids[0], { x: 100, y: 100 })
-    world.eachMoved(() => expect([...world.pose.subarray(0, 2)]).toEqual([100, 100]))
+    world.eachMoved((_, ...pose) => expect(pose.slice(0, 2)).toEqual([100, 100]))
   })
 
   it('draws each chip once more when it has fallen asleep, and then never again', () => {
     const { world, ids } = worldOf(chips)
     settle(world)
     const seen = new Map<number, number>()
-    world.eachMoved((id) => {
+    world.eachMoved((id, ...pose) => {
       seen.set(id, (seen.get(id) ?? 0) + 1)
-      const body = world.read(id)
-      expect([...world.pose]).toEqual([body.x, body.y, body.angle])
+      const { x, y, angle, asleep } = world.read(id)
+      expect(pose).toEqual([x, y, angle, asleep])
     })
     expect([...seen.values()]).toEqual(ids.map(() => 1))
     world.eachMoved(() => expect.unreachable())

@@ -1,5 +1,4 @@
 import {
-  ANGLE,
   CONTACTS_VISITED,
   FIRST_CHIP,
   IMPACTS_SOLVED,
@@ -7,27 +6,12 @@ import {
   INV_MASS,
   ITERATIONS_TAKEN,
   MANIFOLDS_MADE,
-  SPIN,
   STATE,
   SUBSTEPS_TAKEN,
-  VX,
-  VY,
-  X,
-  Y,
 } from './solver/state'
 import { createWorld as createBareWorld, type WorldOptions } from './solver/world'
 
-export type { BodyOptions, Grab, Motion, WorldOptions } from './solver/world'
-
-export interface Reading {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
-}
+export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/world'
 
 export type World = ReturnType<typeof createWorld>
 
@@ -70,21 +54,6 @@ export function createWorld(options: WorldOptions) {
         hits: work[IMPACTS_SOLVED],
         /** Visits of contacts by the iterations over velocities. */
         rows: work[CONTACTS_VISITED],
-      }
-    },
-
-    /** Pose and velocity of body `id`: px, radians, px/s, rad/s. */
-    read(id: number): Reading {
-      const s = id * STATE
-      const state = bodies.state
-      return {
-        x: state[s + X],
-        y: state[s + Y],
-        angle: state[s + ANGLE],
-        vx: state[s + VX],
-        vy: state[s + VY],
-        spin: state[s + SPIN],
-        asleep: bodies.asleep[id] === 1,
       }
     },
 

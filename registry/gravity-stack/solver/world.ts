@@ -72,6 +72,17 @@ export interface BodyOptions {
   density?: number
 }
 
+/** Pose and velocity of a body: px, radians, px/s, rad/s. */
+export interface Reading {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
 export type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
 
 export interface Grab {
@@ -105,7 +116,6 @@ export function createWorld(options: WorldOptions) {
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const pose: Float64Array = new Float64Array(3)
   // Floor and walls.
   for (let i = 0; i < FIRST_CHIP; i++) {
     bodies.order[bodies.orderCount++] = i
@@ -267,30 +277,38 @@ export function createWorld(options: WorldOptions) {
       return scene.left
     },
 
-    /** Writes x, y (px), angle (rad), vx, vy (px/s) and spin (rad/s) of body `id` into `out`. */
-    readInto(id: number, out: Float64Array): void {
-      for (let n = 0; n < out.length; n++) out[n] = bodies.state[id * STATE + n]
+    /** Pose and velocity of body `id`. */
+    read(id: number): Reading {
+      const { state } = bodies
+      const s = id * STATE
+      return {
+        x: state[s + X],
+        y: state[s + Y],
+        angle: state[s + ANGLE],
+        vx: state[s + VX],
+        vy: state[s + VY],
+        spin: state[s + SPIN],
+        asleep: bodies.asleep[id] > 0,
+      }
     },
 
     /** What the world is made of. */
     scene,
 
-    /** x, y (px) and angle (rad) to draw of the body that `eachMoved` visits. */
-    pose,
-
-    /** Visits every body that has moved since the last call, its pose to draw in `pose`. */
-    eachMoved(visit: (id: number, asleep: boolean) => void): void {
+    /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
+    eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
-        undrawn[i] = 1 - bodies.asleep[i]
-        for (let axis = 0; axis < 3; axis++) {
+        const asleep = bodies.asleep[i] > 0
+        undrawn[i] = asleep ? 0 : 1
+        const coordinate = (axis: number) => {
           const now = state[i * STATE + axis]
           const then = before[i * 3 + axis]
-          pose[axis] = undrawn[i] > 0 ? then + share * (now - then) : now
+          return asleep ? now : then + share * (now - then)
         }
-        visit(i, undrawn[i] === 0)
+        visit(i, coordinate(X), coordinate(Y), coordinate(ANGLE), asleep)
       }
     },
 

@@ -35,7 +35,6 @@ export function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
   let revision = Number.NaN
   /** s of the stage's clock to which the copy has come. */
   let time = 0
-  const motion: Float64Array = new Float64Array(3)
 
   return {
     /**
@@ -72,9 +71,7 @@ export function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
 
     /** rad at which the body of a released chip is expected to lie, as far as that is known by now. */
     expectedAngle(chip: T): number | undefined {
-      if (copy?.chips[chip.id] !== chip) return
-      copy.world.readInto(chip.id, motion)
-      return motion[2]
+      return copy?.chips[chip.id] === chip ? copy.world.read(chip.id).angle : undefined
     },
 
     /** Gives the copy back. */

@@ -8,9 +8,6 @@ export interface Pile<T extends Release = Release> {
   chips: T[]
 }
 
-/** x and y of a body. */
-const middle: Float64Array = new Float64Array(2)
-
 /** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
 export function addReleased<T extends Release>(
   { world, chips }: Pile<T>,
@@ -20,8 +17,8 @@ export function addReleased<T extends Release>(
 ): number {
   const obstacles: Obstacle[] = []
   chips.forEach(({ reach }, id) => {
-    world.readInto(id, middle)
-    if (middle[1]! < reach) obstacles.push({ x: middle[0]!, y: middle[1]!, reach })
+    const { x, y } = world.read(id)
+    if (y < reach) obstacles.push({ x, y, reach })
   })
   const { order, width, height, radius } = next
   const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)

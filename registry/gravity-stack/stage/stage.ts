@@ -55,9 +55,6 @@ export interface Stage {
   detach(): void
 }
 
-/** What is read of a body: x, y, angle, and their rates. */
-const motion: Float64Array = new Float64Array(6)
-
 /** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
   const page = root.ownerDocument
@@ -111,10 +108,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
       return chip && chip.id >= 0 && live ? chip : undefined
     },
     take(chip, offX, offY) {
-      world!.readInto(chip.id, motion)
+      const { x, y } = world!.read(chip.id)
       fetched = false
       toFront(chip)
-      return world!.grab(chip.id, motion[0]! + offX, motion[1]! + offY)
+      return world!.grab(chip.id, x + offX, y + offY)
     },
     show(chip, state) {
       mark(chip, state)
@@ -247,8 +244,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Turns the body of a chip to where it is drawn: in another shape it would no longer look the same turned. */
   function takeTurn(chip: Chip) {
-    world!.readInto(chip.id, motion)
-    if (chip.turn) world!.place(chip.id, { angle: motion[2]! + chip.turn })
+    if (chip.turn) world!.place(chip.id, { angle: world!.read(chip.id).angle + chip.turn })
     chip.turn = 0
   }
 
@@ -343,13 +339,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     sync()
   }
 
-  function paint(id: number, asleep: boolean) {
+  function paint(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = bodies[id]!
-    const { pose } = world!
-    const x = pose[0]
-    const y = pose[1]
-    if (!chip.turned) turnUnseen(chip, y, pose[2])
-    const angle = pose[2] + chip.turn
+    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    const angle = bodyAngle + chip.turn
     const dx = x - chip.x
     const dy = y - chip.y
     const swung = (angle - chip.angle) * chip.reach
@@ -368,8 +361,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
 
   /** Turns a chip to what lies upright in the end: in the last frame in which it is sure to be above the stage, where nobody sees it turn. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
-    world!.readInto(chip.id, motion)
-    const fall = LONGEST_FRAME * (motion[4]! + (LONGEST_FRAME / 2) * options.gravity)
+    const fall = LONGEST_FRAME * (world!.read(chip.id).vy + (LONGEST_FRAME / 2) * options.gravity)
     if (y + chip.reach + fall < 0) return
     chip.turned = true
     // Before it is first drawn it is out of sight as well.
@@ -473,8 +465,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }): S
     for (const chip of bodies) {
       if (!chip) continue
       chip.turned = true
-      world!.readInto(chip.id, motion)
-      if (options.upright) chip.turn = uprightTurn(chip, motion[2]!)
+      if (options.upright) chip.turn = uprightTurn(chip, world!.read(chip.id).angle)
     }
     show()
     world!.eachMoved(paint)
