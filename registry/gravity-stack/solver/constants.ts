@@ -1,6 +1,6 @@
 /** Every number of the solver. Lengths are CSS pixels, times seconds, angles radians, speeds px/s. */
 
-// Defaults of a world (D-020) -------------------------------------------------------------------------------
+// Defaults of a world (D-043) -------------------------------------------------------------------------------
 
 /** px/s². Gravity that looks like a chip dropped on a desk. More is snappier, less floats. */
 export const GRAVITY = 2600
@@ -17,7 +17,7 @@ export const BOUNCE_THRESHOLD = 90
 /** px/s. No chip is ever faster. More asks more of the broad phase for nothing that a person can follow. */
 export const MAX_SPEED = 3600
 
-// Time (D-020) ----------------------------------------------------------------------------------------------
+// Time (D-044) ----------------------------------------------------------------------------------------------
 
 /** s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display. */
 export const STEP = 1 / 60
@@ -29,7 +29,7 @@ export const SUBSTEPS = 6
 /** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
 export const RESTING_SPEED = 0.4
 
-/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left. */
+/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left (D-025). */
 export const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
 export const ITERATIONS = 8
@@ -82,8 +82,8 @@ export const IMPACT_TOGETHER = 0.05
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
 /**
- * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are. A stack
- * sags by this at every chip.
+ * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are (D-022). A
+ * stack sags by this at every chip.
  */
 export const LINEAR_SLOP = 0.004
 /** Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last. */
@@ -122,7 +122,7 @@ export const REST_TIME = 0.5
 /** Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest. */
 export const REST_FOLLOW = 0.03
 
-// Holding a chip (D-020) ------------------------------------------------------------------------------------
+// Holding a chip (D-048) ------------------------------------------------------------------------------------
 
 /** Hz of the mouse joint's spring. More follows the pointer more stiffly. */
 export const JOINT_HERTZ = 7.5
