@@ -12,7 +12,7 @@ import * as React from 'react'
 
 /** Every number of the solver. Lengths are CSS pixels, times seconds, angles radians, speeds px/s. */
 
-// Defaults of a world (D-020) -------------------------------------------------------------------------------
+// Defaults of a world (D-043) -------------------------------------------------------------------------------
 
 /** px/s². Gravity that looks like a chip dropped on a desk. More is snappier, less floats. */
 const GRAVITY = 2600
@@ -29,7 +29,7 @@ const BOUNCE_THRESHOLD = 90
 /** px/s. No chip is ever faster. More asks more of the broad phase for nothing that a person can follow. */
 const MAX_SPEED = 3600
 
-// Time (D-020) ----------------------------------------------------------------------------------------------
+// Time (D-044) ----------------------------------------------------------------------------------------------
 
 /** s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display. */
 const STEP = 1 / 60
@@ -41,7 +41,7 @@ const SUBSTEPS = 6
 /** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
 const RESTING_SPEED = 0.4
 
-/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left. */
+/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left (D-025). */
 const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
 const ITERATIONS = 8
@@ -94,8 +94,8 @@ const IMPACT_TOGETHER = 0.05
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
 /**
- * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are. A stack
- * sags by this at every chip.
+ * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are (D-022). A
+ * stack sags by this at every chip.
  */
 const LINEAR_SLOP = 0.004
 /** Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last. */
@@ -134,7 +134,7 @@ const REST_TIME = 0.5
 /** Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest. */
 const REST_FOLLOW = 0.03
 
-// Holding a chip (D-020) ------------------------------------------------------------------------------------
+// Holding a chip (D-048) ------------------------------------------------------------------------------------
 
 /** Hz of the mouse joint's spring. More follows the pointer more stiffly. */
 const JOINT_HERTZ = 7.5
