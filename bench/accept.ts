@@ -17,7 +17,8 @@ import { sizeRows } from './accept/size'
 import { here, solverAt, worldScript } from './accept/solver'
 import { markdown, printTable, printTimings, type Titled } from './accept/table'
 import { isDearer, type Timing, timings } from './accept/time'
-import { bundle, root } from './worker/run-job'
+import { bundleWorker } from './build/bundle'
+import { root } from './build/root'
 
 const { values: options } = parseArgs({
   options: {
@@ -57,8 +58,9 @@ if (chosen.length === 0 && !wantsSize && !wantsTime)
   throw new Error(`Nothing is named like ${options.only}; --list prints all names`)
 
 const solver = options.solver ? solverAt(options.solver) : here()
-const child = await bundle(
-  'accept-child',
+const child = await bundleWorker(
+  'accept/groups',
+  'playSubject',
   options.solver && join(solver.dir, 'registry/gravity-stack/world.ts'),
 )
 const runs =

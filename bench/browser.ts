@@ -22,8 +22,8 @@ import {
 import type { BrowserResults, Drop, PlanCost, StageName, StageResult } from './browser/results'
 import { stageNames } from './browser/serve'
 import { launch, restful, server } from './browser/visit'
+import { root } from './build/root'
 import { commit, machine } from './publish/machine'
-import { root } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: { stage: { type: 'string' }, plan: { type: 'boolean' }, out: { type: 'string' } },

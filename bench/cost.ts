@@ -4,10 +4,11 @@
 import { parseArgs } from 'node:util'
 import type { Kind } from '../scenes/piles'
 import { median } from './accuracy/trajectory'
+import { bundleWorker } from './build/bundle'
 import { loadEngine } from './engines'
 import { settingName } from './engines/engine'
 import { type Cost, medianCost, pourSeeds } from './speed/job'
-import { bundle, runJob } from './worker/run-job'
+import { runJob } from './speed/run-job'
 
 const { values: options } = parseArgs({
   options: {
@@ -22,7 +23,7 @@ const { values: options } = parseArgs({
   },
 })
 
-const child = await bundle('child')
+const worker = await bundleWorker('speed/measure', 'measure')
 const reference = (await loadEngine(options.against)).settings[0]
 const settings = options.substeps
   ? options.substeps.split(',').map((substeps) => ({ substeps: Number(substeps) }))
@@ -42,7 +43,7 @@ for (const chips of options.chips.split(',').map(Number)) {
   const rounds: Cost[][] = contestants.map(() => [])
   for (let round = 0; round < Number(options.rounds); round++) {
     for (const [i, contestant] of contestants.entries()) {
-      const cost = await runJob(child, {
+      const cost = await runJob(worker, {
         kind: 'pour cost',
         ...contestant,
         chips,

@@ -9,12 +9,12 @@
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { openFilms } from './accuracy/error-runs'
+import { root } from './build/root'
 import { collect } from './publish/collect'
 import { printResults, writeResults } from './publish/write'
 import { enough, openContest } from './speed/plan'
 import { openTimes } from './speed/schedule'
 import { openLedger } from './speed/timings'
-import { root } from './worker/run-job'
 
 const { values: options } = parseArgs({
   options: {

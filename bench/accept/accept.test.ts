@@ -5,7 +5,7 @@ import { promisify } from 'node:util'
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { FIRST_CHIP, SPIN, STATE, VX, X, Y } from '../../registry/gravity-stack/solver/state'
 import type { World } from '../../registry/gravity-stack/world'
-import { root } from '../worker/run-job'
+import { root } from '../build/root'
 import { groups } from './groups'
 import { holds, type Run } from './row'
 

@@ -1,10 +1,9 @@
 // Plays subjects in two processes at once, the longest first, and says how far it is.
-import { spawn } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { appendFileSync, existsSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
-import { createInterface } from 'node:readline'
-import { root } from '../worker/run-job'
+import { root } from '../build/root'
+import { openWorker } from '../worker/worker'
 import type { Run, Subject } from './row'
 
 type Part = { subject: Subject; seeds: number[] }
@@ -37,7 +36,8 @@ function openKept(bundles: string[]) {
   for (const line of lines) {
     // The last line of a run that was killed may be half a line.
     if (!line.endsWith('}}')) continue
-    const { key, run } = parse(line)
+    // JSON has no Infinity and writes null: a figure without bound.
+    const { key, run } = JSON.parse(line, (_, value) => value ?? Number.POSITIVE_INFINITY)
     kept.set(key, run)
   }
   const keyOf = (name: string, seed: number) => `${name} ${seed}`
@@ -50,23 +50,18 @@ function openKept(bundles: string[]) {
   }
 }
 
-/** JSON knows no Infinity and writes null: a figure without bound is what that means here. */
-const parse = (line: string) => JSON.parse(line, (_, one) => one ?? Number.POSITIVE_INFINITY)
+/** ms after which a part that has not come back is given up. */
+const hung = 30 * 60_000
 
-function startPlayer(child: string, worldFile: string) {
-  const player = spawn(process.execPath, [child, worldFile], {
-    cwd: root,
-    stdio: ['pipe', 'pipe', 'inherit'],
-  })
-  const lines = createInterface({ input: player.stdout })[Symbol.asyncIterator]()
+function startPlayer(file: string, worldFile: string) {
+  const worker = openWorker(file, { args: [worldFile], unbounded: true })
   return {
     async take({ subject: { name }, seeds }: Part): Promise<Run[]> {
-      player.stdin.write(`${JSON.stringify({ name, seeds })}\n`)
-      const { value, done } = await lines.next()
-      if (done) throw new Error(`${name} ended its process at one of the seeds ${seeds.join(', ')}`)
-      return parse(value)
+      const answer = await worker.call<Run[]>([name, seeds], hung)
+      if (!answer) throw new Error(`${name} has not come back from the seeds ${seeds.join(', ')}`)
+      return answer.outcome
     },
-    end: () => player.stdin.end(),
+    end: worker.close,
   }
 }
 

@@ -1,7 +1,5 @@
 // What a frame costs beside the solver of another commit.
-import { execFile } from 'node:child_process'
-import { promisify } from 'node:util'
-import { bundle } from '../worker/run-job'
+import { callInWorker } from '../worker/worker'
 import { type Solver, worldScript } from './solver'
 
 /** Median µs of processor a frame of both, and their ratio: median and quartiles of all rounds. */
@@ -18,9 +16,5 @@ export const isDearer = ({ ratio }: Timing) => ratio.low > 1
 
 export async function timings(now: Solver, before: Solver): Promise<Timing[]> {
   const files = [await worldScript(now, 'esm'), await worldScript(before, 'esm')]
-  const { stdout } = await promisify(execFile)(process.execPath, [await bundle('accept-time'), ...files])
-  return stdout
-    .trimEnd()
-    .split('\n')
-    .map((line) => JSON.parse(line))
+  return callInWorker('accept/time-worlds', 'timeWorlds', files, 3600)
 }

@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { scenes } from '../../scenes'
-import { printed } from '../worker/run-job'
+import { callInWorker } from '../worker/worker'
 import accepted from './bounds.json'
 import type { Bounds } from './regression'
 
@@ -11,7 +11,7 @@ let measured: Bounds
 
 describe('the solver', () => {
   beforeAll(async () => {
-    measured = await printed('gate-child', 250)
+    measured = await callInWorker('accuracy/regression', 'measureAll', [], 250)
   }, 300_000)
 
   for (const { name, title } of scenes) {

@@ -1,4 +1,5 @@
 // What our solver answers in every scene of the benchmark, and how much work that takes: the same numbers everywhere.
+import { scenes } from '../../scenes'
 import type { Scene } from '../../scenes/scene'
 import { ours } from '../engines/ours'
 import { filmScene } from './trajectory'
@@ -18,3 +19,7 @@ export function measureScene(scene: Scene): SceneBound {
     work: Object.fromEntries(counted.map((key) => [key, work[key] ?? 0])),
   }
 }
+
+/** What every scene is held to; for a worker. */
+export const measureAll = (): Bounds =>
+  Object.fromEntries(scenes.map((scene) => [scene.name, measureScene(scene)]))

@@ -6,8 +6,8 @@ import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
 import tailwind from '@tailwindcss/postcss'
 import postcss from 'postcss'
+import { root } from '../build/root'
 import { script } from '../build/script'
-import { root } from '../worker/run-job'
 import type { StageName } from './results'
 
 const here = join(root, 'bench/browser')

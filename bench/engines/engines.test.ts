@@ -1,7 +1,8 @@
 import { expect, it } from 'vitest'
 import { sceneNamed } from '../../scenes'
 import { filmScene } from '../accuracy/trajectory'
-import { describeEngine, engineNames, loadEngine } from '.'
+import { sourcesOf } from '../build/sources'
+import { describeEngine, engineNames, loadEngine, moduleOf } from '.'
 
 it('a build whose films stand for another moves every chip by the same bits', async () => {
   const all = await Promise.all(engineNames.map(describeEngine))
@@ -16,3 +17,15 @@ it('a build whose films stand for another moves every chip by the same bits', as
     }
   }
 })
+
+it.each(engineNames)(
+  'the errors of %s are kept for as long as no module that they depend on changes',
+  async (name) => {
+    const sources = await sourcesOf([`bench/engines/${moduleOf(name)}`])
+    const { default: _, ...all } = await import(`./${moduleOf(name)}.ts`)
+    expect(Object.values(all)).toContain(await describeEngine(name))
+    const solver = ['world.ts', 'solver/contact-solver.ts', 'solver/state.ts']
+    for (const file of solver)
+      expect(sources.includes(`registry/gravity-stack/${file}`), file).toBe(name === 'gravity-stack')
+  },
+)

@@ -1,27 +1,33 @@
+import { ours } from '../publish/report'
 import type { Engine } from './engine'
 
-// Loaded one by one: a process that measures one engine holds no other engine's code.
-const loaders: Record<string, () => Promise<Engine>> = {
-  'gravity-stack': async () => (await import('./ours')).ours,
-  'circle-chains': async () => (await import('./circle-chains')).circleChains,
-  'matter-js': async () => (await import('./matter')).matter,
-  planck: async () => (await import('./planck')).planck,
-  'p2-es': async () => (await import('./p2')).p2es,
-  rapier: async () => (await import('./rapier')).rapierPlain,
-  'rapier-simd': async () => (await import('./rapier')).rapierSimd,
-  'box2d3-wasm': async () => (await import('./box2d-wasm')).box2dWasm,
-  'box2d3-wasm-simd': async () => (await import('./box2d-wasm')).box2dSimd,
-  'phaser-box2d': async () => (await import('./phaser-box2d')).phaserBox2d,
+/** Each engine's module in this folder, loaded late: a process that measures one engine holds no other engine's code. */
+const engines: Record<string, [module: string, load: () => Promise<Engine>]> = {
+  'gravity-stack': ['ours', async () => (await import('./ours')).ours],
+  'circle-chains': ['circle-chains', async () => (await import('./circle-chains')).circleChains],
+  'matter-js': ['matter', async () => (await import('./matter')).matter],
+  planck: ['planck', async () => (await import('./planck')).planck],
+  'p2-es': ['p2', async () => (await import('./p2')).p2es],
+  rapier: ['rapier', async () => (await import('./rapier')).rapierPlain],
+  'rapier-simd': ['rapier', async () => (await import('./rapier')).rapierSimd],
+  'box2d3-wasm': ['box2d-wasm', async () => (await import('./box2d-wasm')).box2dWasm],
+  'box2d3-wasm-simd': ['box2d-wasm', async () => (await import('./box2d-wasm')).box2dSimd],
+  'phaser-box2d': ['phaser-box2d', async () => (await import('./phaser-box2d')).phaserBox2d],
 }
 
-export const engineNames = Object.keys(loaders)
+export const engineNames = Object.keys(engines)
+
+function known(name: string) {
+  const engine = engines[name === 'ours' ? ours : name]
+  if (!engine) throw new Error(`no engine "${name}"; there are ${engineNames.join(', ')}`)
+  return engine
+}
 
 /** The engine's name, settings and packages; `ours` is short for gravity-stack. */
-export function describeEngine(name: string) {
-  const load = loaders[name === 'ours' ? 'gravity-stack' : name]
-  if (!load) throw new Error(`no engine "${name}"; there are ${engineNames.join(', ')}`)
-  return load()
-}
+export const describeEngine = (name: string) => known(name)[1]()
+
+/** The module in this folder that an engine is in. */
+export const moduleOf = (name: string) => known(name)[0]
 
 /** The engine, ready to start scenes. */
 export async function loadEngine(name: string) {

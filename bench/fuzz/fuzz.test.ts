@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { type Check, checks, foundScenes } from '../../scenes/fuzzed'
-import { printed } from '../worker/run-job'
+import { callInWorker } from '../worker/worker'
 import known from './accepted.json'
 import type { Misses } from './search'
 
@@ -13,7 +13,7 @@ let result: {
 }
 
 beforeAll(async () => {
-  result = await printed('fuzz-child', 250)
+  result = await callInWorker('fuzz/search', 'firstBlock', [], 250)
 }, 300_000)
 
 describe('in 2,000 random scenes', () => {

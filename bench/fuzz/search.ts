@@ -1,6 +1,6 @@
 // Looks through random scenes, block by block: the same ones from the same seed.
 import fc from 'fast-check'
-import type { Check, FuzzScene } from '../../scenes/fuzzed'
+import { type Check, type FuzzScene, foundScenes } from '../../scenes/fuzzed'
 import { playFuzz } from './play'
 import { anyScene } from './scenes'
 
@@ -36,4 +36,10 @@ export function survey(seed: number, index: number, numRuns = block, only?: Chec
 export function smallest(check: Check, seed: number, index: number): FuzzScene | undefined {
   const fails = fc.property(anyScene, (scene) => playFuzz(scene, check) === undefined)
   return fc.check(fails, options(seed, index, block)).counterexample?.[0]
+}
+
+/** What the first block shows, and which of the scenes that once went wrong still do; for a worker. */
+export function firstBlock() {
+  const failing = foundScenes.filter(({ scene, check }) => playFuzz(scene, check)).map(({ name }) => name)
+  return { ...survey(1, 0), failing }
 }

@@ -2,8 +2,8 @@
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'
+import { root } from '../build/root'
 import { script } from '../build/script'
-import { root } from '../worker/run-job'
 
 export type Bytes = { name: string; minified: number; gzip: number }
 

@@ -1,6 +1,6 @@
 import { execFileSync } from 'node:child_process'
 import { arch, cpus, release, totalmem, type } from 'node:os'
-import { root } from '../worker/run-job'
+import { root } from '../build/root'
 
 export const machine = {
   cpu: cpus()[0].model.trim(),

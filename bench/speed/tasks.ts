@@ -1,12 +1,14 @@
 // What the benchmark has to do, job by job: what is known already, how far it is, what it took.
-import { createHash } from 'node:crypto'
-import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
+import { appendFileSync, existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs'
 import { cpus } from 'node:os'
 import { join } from 'node:path'
+import { bundleWorker } from '../build/bundle'
+import { root } from '../build/root'
+import { sourceDigest } from '../build/sources'
+import { moduleOf } from '../engines'
 import type { Engine } from '../engines/engine'
-import { ours } from '../publish/report'
-import { bundle, type Outcome, openTurns, root, runJob, spent, type Turns } from '../worker/run-job'
 import type { Job } from './job'
+import { type Outcome, openTurns, runJob, spent, type Turns } from './run-job'
 
 type Task = { job: Job; round: number; key: string }
 /** What an engine is timed at in its turns, one after the other, or nothing when it needs no more. */
@@ -24,24 +26,9 @@ type Options = {
   patience: (job: Job) => number
 }
 
-// What an engine's figures depend on.
-const judges = ['exact-distance', 'scene', 'seeded', 'references', 'residual', 'exact', 'piles']
-
-function sourceHash(name: string) {
-  const hash = createHash('sha1')
-  const read = (folder: string, keep: (file: string) => boolean) => {
-    for (const file of readdirSync(join(root, folder)).sort().filter(keep)) {
-      hash.update(readFileSync(join(root, folder, file)))
-    }
-  }
-  read('scenes', (file) => judges.includes(file.replace(/\.ts$/, '')))
-  read('bench/accuracy', (file) => file === 'trajectory.ts')
-  read('bench/engines', (file) => file !== 'index.ts' && (file === 'ours.ts') === (name === ours))
-  const helpers = ['pins.ts', 'testing.ts']
-  if (name === ours)
-    read('registry/gravity-stack', (file) => /^[a-z]+\.ts$/.test(file) && !helpers.includes(file))
-  return hash.digest('hex').slice(0, 12)
-}
+/** What the errors of an engine depend on in this project. */
+const errorSources = (engine: string) =>
+  sourceDigest(['scenes/index', 'bench/accuracy/trajectory', `bench/engines/${moduleOf(engine)}`])
 
 export function packageVersion(name: string): string {
   return JSON.parse(readFileSync(join(root, 'node_modules', name, 'package.json'), 'utf8')).version
@@ -103,7 +90,7 @@ function progressOf(title: string, expected: number) {
  * the same whenever they are computed: they are kept for as long as nothing they depend on changes. Failures are tried again.
  */
 export async function openTasks({ engines, fresh, forgetful, deadline, patience }: Options) {
-  const child = await bundle('child')
+  const worker = await bundleWorker('speed/measure', 'measure')
   const cacheFolder = join(root, 'node_modules/.cache/gravity-stack-bench')
   const partial = join(cacheFolder, 'partial.jsonl')
   const errorCache = join(cacheFolder, 'errors.jsonl')
@@ -111,16 +98,14 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
   if (fresh) for (const file of [partial, errorCache]) rmSync(file, { force: true })
   const done = new Map([...readCache(errorCache), ...readCache(partial)])
 
-  const hashes = new Map(
-    engines.map(({ name, packages }) => [name, `${sourceHash(name)} ${packages.map(packageVersion)}`]),
-  )
-  const stopwatch = createHash('sha1')
-    .update(readFileSync(join(root, 'bench/worker/child.ts')))
-    .digest('hex')
+  const digests = new Map<string, string>()
+  for (const { name, packages } of engines)
+    digests.set(name, `${await errorSources(name)} ${packages.map(packageVersion)}`)
+  const stopwatch = await sourceDigest(['bench/speed/measure'])
   const task = (job: Job, round = 0): Task => ({
     job,
     round,
-    key: `${hashes.get(job.engine)} ${job.kind === 'errors' ? '' : stopwatch} ${round} ${JSON.stringify(job)}`,
+    key: `${digests.get(job.engine)} ${job.kind === 'errors' ? '' : stopwatch} ${round} ${JSON.stringify(job)}`,
   })
 
   const outcomes = new Map<string, unknown>()
@@ -177,14 +162,14 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
       const queue = jobs.map((job) => task(job)).filter((task) => !isKnown(task))
       if (queue.length === 0) return
       const progress = progressOf(title, queue.length)
-      const worker = async () => {
+      const work = async () => {
         while (queue.length > 0 && performance.now() < Math.min(until, deadline)) {
           const next = queue.shift() as Task
-          await keep(next, runJob(child, next.job, patience(next.job)))
+          await keep(next, runJob(worker, next.job, patience(next.job)))
           progress.tick(next.job)
         }
       }
-      await Promise.all(Array.from({ length: workers }, worker))
+      await Promise.all(Array.from({ length: workers }, work))
       progress.end()
       if (queue.length > 0) stopIfLate()
     },
@@ -210,7 +195,7 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
             continue
           }
           if (!isKnown(next)) {
-            player.seat ??= openTurns(child)
+            player.seat ??= openTurns(worker)
             await keep(next, player.seat.take(next.job, patience(next.job)))
           }
           progress.tick(next.job)

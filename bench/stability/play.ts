@@ -8,7 +8,7 @@ import {
   stageDistance,
   worstOverlap,
 } from '../../scenes/exact-distance'
-import type { Actor, HardFigures, HardScene } from '../../scenes/hard'
+import { type Actor, type HardFigures, type HardScene, hardScenes } from '../../scenes/hard'
 import { massOf } from '../../scenes/references'
 import { type Chip, driftOf, frame } from '../../scenes/scene'
 
@@ -206,6 +206,9 @@ export function hardRows(scene: HardScene, seeds = scene.seeds): HardRow[] {
     return { scene: scene.name, figure, value: Number.isFinite(value) ? value : null, bound }
   })
 }
+
+/** The figures of every hard scene; for a worker. */
+export const allHardRows = () => hardScenes.flatMap((scene) => hardRows(scene))
 
 export const holds = ({ value, bound }: HardRow) => value !== null && value <= bound
 

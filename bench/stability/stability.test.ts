@@ -1,7 +1,7 @@
 import { beforeAll, describe, expect, it } from 'vitest'
 import { hardScenes } from '../../scenes/hard'
 import kept from '../results/stability.json'
-import { printed } from '../worker/run-job'
+import { callInWorker } from '../worker/worker'
 import { type HardRow, misses } from './play'
 
 const advice = 'npx tsx bench/stability.ts shows the figures; with --write the page shows them as well'
@@ -9,7 +9,7 @@ const advice = 'npx tsx bench/stability.ts shows the figures; with --write the p
 let rows: HardRow[]
 
 beforeAll(async () => {
-  rows = await printed('stability-child', 1500)
+  rows = await callInWorker('stability/play', 'allHardRows', [], 1500)
 }, 1_600_000)
 
 describe('scenes that break solvers', () => {

@@ -1,15 +1,11 @@
-// Does one job of the benchmark in a process of its own: shared compiled code would blur the figures.
-// Takes the job as JSON and the seconds of processor it may take, prints its outcome as JSON on the last line. Called
-// with "turns" it takes a job a line, the rounds of one engine in one scene, and waits in between.
-import { writeSync } from 'node:fs'
-import { createInterface } from 'node:readline'
+// What one job of the benchmark measures. A worker holds one engine, which takes its jobs one after the other.
 import { sceneNamed } from '../../scenes'
 import { type Kind, pourChips, pourStage } from '../../scenes/piles'
 import { type Chip, conditions, type Scene } from '../../scenes/scene'
 import { median, sceneErrors } from '../accuracy/trajectory'
 import { loadEngine } from '../engines'
 import type { Engine, Setting } from '../engines/engine'
-import { type AtLeast, type Cost, type Job, medianCost } from '../speed/job'
+import { type AtLeast, type Cost, type Job, medianCost } from './job'
 
 const frames = 240
 const pourFrames = 90
@@ -224,8 +220,19 @@ const patient = (engine: Engine, patience: number): Engine => ({
 
 let engine: Engine | undefined
 
-async function work(job: Job, patience: number) {
+/** What comes of a job; nothing where it takes more than `patience` seconds of the worker's processor. */
+export async function measure(job: Job, patience = Number.POSITIVE_INFINITY) {
   engine ??= await loadEngine(job.engine)
+  try {
+    return await outcomeOf(engine, job, patience)
+  } catch (error) {
+    if (!(error instanceof GivenUp)) throw error
+  } finally {
+    warm = true
+  }
+}
+
+function outcomeOf(engine: Engine, job: Job, patience: number) {
   if (job.kind === 'errors') {
     const scene = sceneNamed(job.scene)
     const slow = patient(engine, patience)
@@ -236,21 +243,3 @@ async function work(job: Job, patience: number) {
   if (job.kind === 'asleep') return asleepCost(engine, job)
   return allocation(engine, job)
 }
-
-async function answer(job: Job, patience: number) {
-  const outcome = await work(job, patience).catch((error: unknown) => {
-    if (error instanceof GivenUp) return undefined
-    throw error
-  })
-  warm = true
-  writeSync(1, `${JSON.stringify({ seconds: seconds(), outcome })}\n`)
-}
-
-const [, , order, patience] = process.argv
-if (order === 'turns') {
-  for await (const line of createInterface({ input: process.stdin })) {
-    await answer(JSON.parse(line), Number.POSITIVE_INFINITY)
-  }
-} else await answer(JSON.parse(order), Number(patience))
-// Left to itself, a process that has loaded a large WebAssembly module goes on compiling it for seconds.
-process.kill(process.pid, 'SIGKILL')
