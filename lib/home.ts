@@ -38,7 +38,7 @@ export async function facts(): Promise<Fact[]> {
     {
       figure: '1',
       title: 'file, yours once copied',
-      text: 'It reads as if you had written it: a room for each job, every number with its unit and its reason.',
+      text: 'It reads as if you had written it: a section for each job, every number with its unit and its reason.',
     },
     {
       figure: '0',

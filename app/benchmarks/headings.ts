@@ -11,13 +11,13 @@ export const groups: { id: string; title: string; text: string; scenes: RegExp }
   {
     id: 'bounces',
     title: 'Bounces and impacts',
-    text: 'Heights, paths and velocities by Newton’s restitution and Coulomb’s friction at the moment of the impact.',
+    text: 'Heights, paths and velocities follow from Newton’s restitution and Coulomb’s friction at the moment of impact.',
     scenes: /^(bounce|pill-impact|oblique|ricochet)/,
   },
   {
     id: 'friction',
     title: 'Friction',
-    text: 'Where a box stops, where a disc begins to roll, how a pill rolls on its own round end as it topples.',
+    text: 'Three questions: where a box stops, where a disc begins to roll, and how a pill topples over its own round end.',
     scenes: /^(slide|roll|topple)/,
   },
   {
@@ -29,7 +29,7 @@ export const groups: { id: string; title: string; text: string; scenes: RegExp }
   {
     id: 'pours',
     title: 'Pours',
-    text: 'A pile is chaotic, so no pose of it is right or wrong. How deep chips sink into each other is.',
+    text: 'A pile is chaotic, so no pose of it is right or wrong. The error is how deep chips sink into each other.',
     scenes: /^pour/,
   },
 ]

@@ -52,11 +52,12 @@ export default function Benchmarks() {
         <h1 className="text-balance font-semibold text-4xl tracking-[-0.03em]">Run time against error</h1>
         <div className="mt-3 max-w-3xl text-pretty text-lg text-muted-foreground leading-relaxed">
           <p>
-            Each plot is one scene: what a frame costs to the right, how wrong it is upwards, both in powers
-            of ten. Lower and further left is better. A mark is an engine at one choice of its settings, a
-            line joins its best. The dashed edge is the frontier: the least error that any engine reaches at
-            that cost. Answers are formulas, differential equations solved to 10⁻¹⁰, or, for piles, overlaps
-            by an exact distance that no engine uses.
+            Each plot is one scene. The cost of a frame grows to the right, the error upwards, both in powers
+            of ten: lower and further left is better. A mark is an engine at one choice of its settings; a
+            line joins an engine’s best. The dashed edge is the frontier, the least error that any engine
+            reaches at that cost. The right answers are formulas, or differential equations solved to 10⁻¹⁰.
+            Piles have no right answer, so their overlap is measured, by an exact distance that no engine
+            uses.
           </p>
         </div>
         <p className="mt-4 max-w-3xl text-muted-foreground text-sm leading-relaxed">
@@ -77,7 +78,7 @@ export default function Benchmarks() {
             In {claim.length - lost.length - ties.length} of the {claim.length} rows below no engine, at any
             setting, is both cheaper and more accurate than Gravity Stack at its default setting.{' '}
             {ties.length > 0 &&
-              `In ${inWords(ties.length)} more, ${listed(ties.map(rowTitle))}, a cheaper engine’s error is smaller too, but both are below ${listed([...new Set(ties.map(floorTitle))])}, where nobody can see a difference: we call ${ties.length === 1 ? 'this a tie' : 'these ties'}. `}
+              `In ${inWords(ties.length)} more, ${listed(ties.map(rowTitle))}, a cheaper engine’s error is smaller too. But both are below ${listed([...new Set(ties.map(floorTitle))])}, where nobody can see a difference, so we call ${ties.length === 1 ? 'this a tie' : 'these ties'}. `}
             {lost.length > 0 && `The ${lost.length === 1 ? 'exception is' : 'exceptions are'} marked. `}
             {dearer.length > 0 &&
               `${dearer.length} settings have no mark in a plot: they were stopped, or not started, once it was clear that they cost more than ours, so none of them can be an exception. `}
@@ -128,10 +129,11 @@ export default function Benchmarks() {
 
         <Section id="order">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Gravity Stack takes six sub-steps where things meet, and fewer where they stand still; here the
-            six are another number. An order of 2 means that twice the sub-steps leave a quarter of the error.
-            Not listed is what they don’t lessen: flight, bounces and impacts are exact to rounding at any
-            number, overlap at rest is what a contact leaves alone, and the contact residual follows no order.
+            Gravity Stack takes six sub-steps, and one where nothing moves. This table has other numbers in
+            place of the six. An order of 2 means that twice the sub-steps leave a quarter of the error. Three
+            kinds of errors are not listed, as sub-steps don’t change them. Flight, bounces and impacts are
+            exact to rounding at any number. Overlap at rest is what a contact leaves alone. The contact
+            residual follows no order.
           </p>
           <div className="mt-6">
             <Table {...orderTable} />
@@ -140,10 +142,10 @@ export default function Benchmarks() {
 
         <Section id="pour">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Each engine at its default setting and at the one with the least overlap. Overlap at rest and the
-            slowest rest are the worst of the seeds, the others the median. A pile is at rest once no chip
-            moves faster than 7&nbsp;px/s or 0.14&nbsp;rad/s. The contact residual says how far forces and
-            velocities are from the laws of contact, in weights of the pile.
+            Each engine is listed at its default setting and at the one with the least overlap. Overlap at
+            rest and the slowest rest are the worst of the seeds, the other columns the median. A pile is at
+            rest once no chip moves faster than 7&nbsp;px/s or 0.14&nbsp;rad/s. The contact residual says how
+            far forces and velocities are from the laws of contact, in weights of the pile.
           </p>
           <div className="mt-6">
             <Table {...pourTable} />
@@ -152,10 +154,10 @@ export default function Benchmarks() {
 
         <Section id="chips">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Pills poured onto a stage that grows with them, nothing asleep, the mean of the first four
-            seconds: fall, landing and rest. In the claim’s table a pour of up to 60 chips is timed for six
-            seconds, more of which it lies still. Each engine at its default setting. A pour was stopped after
-            24 seconds, or skipped where it clearly would take longer; &gt; marks a lower bound.
+            Pills are poured onto a stage that is larger the more there are, and nothing sleeps. A cost is the
+            mean of the first four seconds: fall, landing and rest. The claim’s table times a pour of up to 60
+            chips for six seconds, so more of it is rest. Each engine runs at its default setting. A pour was
+            stopped after 24 seconds, or skipped if it clearly would take longer; &gt; marks a lower bound.
           </p>
           <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 2xl:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">
             <figure className="w-full max-w-xl rounded-2xl border bg-panel p-3">
@@ -179,10 +181,11 @@ export default function Benchmarks() {
 
         <Section id="weight">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            What each engine needs for these scenes, bundled, minified and gzipped, WebAssembly counted; how
-            much it takes from the heap while 60 chips move; and what a frame costs once all sleep. The whole
-            component is weighed with the part of Motion that it uses, but without React and{' '}
-            <code className="font-mono text-[0.875em]">cn</code>, which its project has anyway.
+            The first column is what each engine needs for these scenes: bundled, minified and gzipped, with
+            its WebAssembly. The second is how much it takes from the heap while 60 chips move, the third what
+            a frame costs once all sleep. The whole component is weighed with the part of Motion that it uses,
+            but without React and <code className="font-mono text-[0.875em]">cn</code>, which its project has
+            anyway.
           </p>
           <div className="mt-6">
             <Table {...weightTable} />
@@ -195,10 +198,10 @@ export default function Benchmarks() {
 
         <Section id="device">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Sixty pills poured by Gravity Stack, Matter and Rapier at two settings each, in a worker of this
-            page. All are warmed up before any is timed, then they take turns, and each cost is the median of
-            nine pours. It takes ten to twenty seconds on a fast laptop, a minute on a slow one; close what
-            else is at work. Rapier’s 1.3 MB load only when you start it.
+            Gravity Stack, Matter and Rapier pour sixty pills at two settings each, in a worker of this page.
+            All are warmed up before any is timed. Then they take turns, and each cost is the median of nine
+            pours. It takes ten to twenty seconds on a fast laptop, a minute on a slow one. Close other
+            programs first. Rapier’s 1.3 MB load only when you start it.
           </p>
           <div className="mt-6">
             <RunOnDevice />
@@ -208,31 +211,31 @@ export default function Benchmarks() {
         <Section id="fair">
           <ul className="max-w-3xl list-disc space-y-2 pl-5 text-muted-foreground leading-relaxed">
             <li>
-              Peers run as their makers mean them to: pills are capsules where there are capsules, a hundred
-              pixels are a metre for engines that think in metres, bounce thresholds are set alike where they
-              can be.
+              Peers run as their makers mean them to. Pills are capsules in engines that have capsules. A
+              hundred pixels are a metre in engines that reckon in metres. Bounce thresholds are set alike
+              where they can be set.
             </li>
             <li>
               Planck and p2-es have no rounded boxes, so theirs are two boxes and four circles. Matter’s
-              rounded corners are polygons. Mass and inertia are set to the true ones where an engine’s own
-              are off; Matter is measured both ways.
+              rounded corners are polygons. Where an engine’s own mass and inertia are off, they are set to
+              the true ones; Matter is measured both ways.
             </li>
             <li>
               Rapier has no threshold below which bounces end, and Matter’s friction is not Coulomb’s. Both
               show in the scenes about them.
             </li>
             <li>
-              “Circle chains” is the method this component’s first design described: up to three circles a
-              chip, two passes of impulses, 120 steps a second. It is written afresh for this comparison.
+              “Circle chains” is the method of this component’s first design: up to three circles a chip, two
+              passes of impulses, 120 steps a second. It was written afresh for this comparison.
             </li>
             <li>
               Engines take turns, each scene in a process of its own. A cost is the mean frame of a scene’s
-              first six seconds, of pours by number of chips and of all of 250 and more the first four, and
-              the median of {results.rounds} rounds{spreads}. Some are timed once: large pours at other
-              settings than the default, engines whose run takes longer than 0.2&nbsp;s and more than twice as
-              long as ours, and what there was no time to repeat. The raw data gives the rounds of each. What
-              is compared are these medians, not single rounds: differences under five per cent count as none,
-              and so do errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight.
+              first six seconds; for pours by number of chips, and for all pours of 250 chips and more, of the
+              first four. It is the median of {results.rounds} rounds{spreads}. Some are timed once: large
+              pours at other settings than the default, engines whose run takes longer than 0.2&nbsp;s and
+              more than twice as long as ours, and what there was no time to repeat. The raw data gives the
+              rounds of each. Medians are compared, not single rounds. Differences under five per cent count
+              as none, and so do errors below 10⁻⁹ px or 10⁻⁴ of a pile’s weight.
             </li>
           </ul>
           <Title id="seeds" />
@@ -247,9 +250,9 @@ export default function Benchmarks() {
             <>
               <Title id="unmarked" />
               <p className="mb-4 max-w-3xl text-muted-foreground leading-relaxed">
-                How many settings were stopped, or not started, once it was clear that they cost more than
-                ours. The raw data lists them under “missing”, each with the reason and a lower bound of its
-                cost.
+                The table counts the settings that were stopped, or not started, once it was clear that they
+                cost more than ours. The raw data lists them under “missing”, each with the reason and a lower
+                bound of its cost.
               </p>
               <Table {...unmarkedTable} />
             </>

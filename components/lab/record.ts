@@ -7,8 +7,8 @@ export type State = Reading
 type Recording = {
   chips: Chip[]
   frames: State[][]
-  /** Velocity sweeps that the whole run took. */
-  sweeps: number
+  /** Iterations of the contact solver that the whole run took. */
+  iterations: number
 }
 
 /** Runs the component's own solver over `chips` and keeps every frame; `late` joins them in the air at its frame. */
@@ -21,12 +21,12 @@ export function record(
   const world = createWorld(options)
   const ids = chips.map((chip) => world.add(chip))
   const frames: State[][] = []
-  let sweeps = 0
+  let iterations = 0
   for (let n = 0; n <= Math.round(seconds / frame); n++) {
     if (n === late?.at) ids.push(world.add(late.chip))
     if (n > 0) world.step(frame)
-    if (n > 0) sweeps += world.stats.sweeps
+    if (n > 0) iterations += world.stats.sweeps
     frames.push(ids.map((id) => world.read(id)))
   }
-  return { chips: late ? [...chips, late.chip] : chips, frames, sweeps }
+  return { chips: late ? [...chips, late.chip] : chips, frames, iterations }
 }

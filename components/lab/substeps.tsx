@@ -86,7 +86,7 @@ export function SubstepsFigure() {
         <>
           <Value of="Worst overlap now">{Math.max(0, overlaps()[at]).toFixed(2)} px</Value>
           <Value of="in the whole run">{worst().toFixed(2)} px</Value>
-          <Value of="Sweeps over all contacts">{film().sweeps.toLocaleString('en')}</Value>
+          <Value of="Iterations">{film().iterations.toLocaleString('en')}</Value>
         </>
       )}
     >
