@@ -36,27 +36,27 @@ const ratioHeading = compared.map((name) => name.padStart(9)).join('')
 console.log(`${`µs per frame, ${options.kind}`.padEnd(43)}${heading}    ratio:${ratioHeading}`)
 
 for (const chips of options.chips.split(',').map(Number)) {
-  const contestants = [
+  const variants = [
     { engine: options.against, setting: reference },
     ...settings.map((setting) => ({ engine: options.engine, setting })),
   ]
-  const rounds: Cost[][] = contestants.map(() => [])
+  const rounds: Cost[][] = variants.map(() => [])
   for (let round = 0; round < Number(options.rounds); round++) {
-    for (const [i, contestant] of contestants.entries()) {
+    for (const [i, variant] of variants.entries()) {
       const cost = await runJob(worker, {
         kind: 'pour cost',
-        ...contestant,
+        ...variant,
         chips,
         shape: options.kind as Kind,
         seeds: pourSeeds(chips),
         warmUp: Number(options.ms),
         patience: 60_000,
       })
-      if (!cost || !('mean' in cost)) throw new Error(`${contestant.engine} was given up with ${chips} chips`)
+      if (!cost || !('mean' in cost)) throw new Error(`${variant.engine} was given up with ${chips} chips`)
       rounds[i].push(cost)
     }
   }
-  contestants.forEach((contestant, i) => {
+  variants.forEach((variant, i) => {
     const cost = medianCost(rounds[i])
     const cells = phases.map((phase) => cost[phase].toFixed(1).padStart(9)).join('')
     // Ratios within a round, then their median: what slows the machine down slows both alike.
@@ -65,7 +65,7 @@ for (const chips of options.chips.split(',').map(Number)) {
         .toFixed(2)
         .padStart(9),
     )
-    const name = `${contestant.engine} ${settingName(contestant.setting)}`
+    const name = `${variant.engine} ${settingName(variant.setting)}`
     const label = `${String(chips).padStart(5)}  ${name.padEnd(36)}`
     console.log(`${label}${cells}${i === 0 ? '' : `          ${ratios.join('')}`}`)
   })

@@ -1,12 +1,12 @@
 // A check that can't fail says nothing: each one here meets a solver that is broken in just the way it watches for.
 import { afterEach, describe, expect, it, vi } from 'vitest'
-import { SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/solver/state'
+import { FIRST_CHIP, SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/solver/state'
 import type { World } from '../registry/gravity-stack/world'
 import { scenes } from '../scenes'
 import { type Check, checks, type FuzzScene } from '../scenes/fuzzed'
 import { type HardFigures, type HardScene, hardUnits } from '../scenes/hard'
 import { type Chip, conditions, numbersPerChip } from '../scenes/scene'
-import { filmScene } from './accuracy/trajectory'
+import { simulateScene } from './accuracy/trajectory'
 import { ours } from './engines/ours'
 import { lastLanding, playFuzz } from './fuzz/play'
 import { hardRows, misses } from './stability/play'
@@ -42,17 +42,17 @@ afterEach(() => {
   restless = false
 })
 
-/** Adds to a number of one body, the first being 1, from a step on, or in that one alone. */
+/** Adds to a number of one chip, the first being 1, from a step on, or in that one alone. */
 const adds =
-  (body: number, at: number, amount: number, from: number, to = Number.POSITIVE_INFINITY): Fault =>
+  (chip: number, at: number, amount: number, from: number, to = Number.POSITIVE_INFINITY): Fault =>
   (state, step) => {
-    if (step >= from && step <= to) state[body * STATE + at] += amount
+    if (step >= from && step <= to) state[(FIRST_CHIP + chip - 1) * STATE + at] += amount
   }
 
 const shiftsAtRest =
   (by: number): Fault =>
   (state, _, resting) => {
-    if (resting) state[2 * STATE + Y] += by
+    if (resting) state[(FIRST_CHIP + 1) * STATE + Y] += by
   }
 
 const air = { ...conditions, linearDamping: 0.35, angularDamping: 1.4 }
@@ -168,21 +168,21 @@ describe('a random scene shows', () => {
   })
 })
 
-describe('a scene of the benchmark shows a film in which all is a little off', () => {
+describe('a scene of the benchmark shows a trajectory in which all is a little off', () => {
   // All pours are measured alike.
   const measured = scenes.filter(({ name }) => !name.startsWith('pour') || name === 'pour-mixed-60')
   for (const scene of measured) {
     it(scene.name, () => {
-      const { film } = filmScene(ours, scene, {})
-      const right = scene.measure(film)
-      for (let k = 1; k <= film.frames; k++) {
-        const state = film.at(k)
+      const { trajectory } = simulateScene(ours, scene, {})
+      const right = scene.measure(trajectory)
+      for (let k = 1; k <= trajectory.frames; k++) {
+        const state = trajectory.at(k)
         for (let at = 0; at < state.length; at += numbersPerChip) {
           const way = at % (2 * numbersPerChip) ? 1 : -1
           for (const [i, off] of [2 * way, 2, 0.05, 10 * way, 10, 0.2].entries()) state[at + i] += off
         }
       }
-      const wrong = scene.measure(film)
+      const wrong = scene.measure(trajectory)
       for (const [i, { name, target = 10 * right[i] }] of scene.measures.entries())
         expect(wrong[i], name).toBeGreaterThan(target)
     })

@@ -8,13 +8,13 @@
 //   npm run bench -- --fresh          forgets what was measured before
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'
-import { openFilms } from './accuracy/error-runs'
+import { openErrorRuns } from './accuracy/error-runs'
 import { root } from './build/root'
 import { collect } from './publish/collect'
 import { printResults, writeResults } from './publish/write'
-import { enough, openContest } from './speed/plan'
+import { enough, openPlan } from './speed/plan'
 import { openTimes } from './speed/schedule'
-import { openLedger } from './speed/timings'
+import { openTimings } from './speed/timings'
 
 const { values: options } = parseArgs({
   options: {
@@ -34,16 +34,16 @@ process.on('SIGINT', () => {
   process.exit(130)
 })
 
-const contest = await openContest({
+const plan = await openPlan({
   ...options,
   rounds: Number(options.rounds),
   deadline: performance.now() + 60_000 * Number(options.minutes),
 })
-const { quick, errors, rounds, deadline, engines, sizes, allScenes } = contest
-const { outcomeOf, runAll, timing, complete } = contest.tasks
-const ledger = openLedger(contest)
-const films = openFilms(contest, ledger)
-const times = openTimes(contest, ledger, films)
+const { quick, errors, rounds, deadline, engines, sizes, allScenes } = plan
+const { outcomeOf, runAll, timing, complete } = plan.tasks
+const timings = openTimings(plan)
+const errorRuns = openErrorRuns(plan, timings)
+const times = openTimes(plan, timings, errorRuns)
 
 /** What is measured once for each engine. */
 const singles = (kind: 'asleep' | 'allocation') =>
@@ -51,7 +51,7 @@ const singles = (kind: 'asleep' | 'allocation') =>
     ? []
     : engines.map(({ name, settings }) => ({ kind, engine: name, setting: settings[0], chips: 60 }))
 
-// First every engine and setting once, then the films that the claim hangs on; the rest with the time that is left.
+// First every engine and setting once, then the simulations that the claim hangs on; the rest with the time that is left.
 if (!errors) {
   await timing(async () => {
     await times.pours(sizes.filter((chips) => chips <= 1000))
@@ -59,25 +59,25 @@ if (!errors) {
     await times.otherSettings()
   })
 }
-await films.film('errors', films.claimed(), singles('allocation'), deadline)
+await errorRuns.play('errors', errorRuns.claimed(), singles('allocation'), deadline)
 
 if (!errors) {
   await timing(async () => {
     await times.pours(sizes.filter((chips) => chips > 1000))
     await runAll('asleep', singles('asleep'), 1)
   })
-  await films.film('errors of what costs more', films.all(), [], enough)
+  await errorRuns.play('errors of what costs more', errorRuns.all(), [], enough)
   await timing(async () => {
     if (rounds > 1) await times.scenes(Array.from({ length: rounds - 1 }, (_, i) => i + 1))
     if (!quick) await times.slowest()
   })
 }
-await films.film('errors, further', films.further, [], errors ? deadline : enough)
+await errorRuns.play('errors, further', errorRuns.further, [], errors ? deadline : enough)
 if (errors) process.exit(0)
 // What later rounds have found to be no dearer after all.
-await films.film('errors', films.claimed(), [], deadline)
+await errorRuns.play('errors', errorRuns.claimed(), [], deadline)
 
-const results = await collect(contest, ledger, films, times.contestants, (kind) =>
+const results = await collect(plan, timings, errorRuns, times.variants, (kind) =>
   Object.fromEntries(singles(kind).map((job) => [job.engine, outcomeOf(job)])),
 )
 printResults(results, engines)

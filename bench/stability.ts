@@ -7,7 +7,7 @@ import { writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
 import { type HardFigures, hardScenes, hardUnits } from '../scenes/hard'
-import { filmScene } from './accuracy/trajectory'
+import { simulateScene } from './accuracy/trajectory'
 import { loadEngine } from './engines'
 import { type HardRow, hardRows, holds, playHardScene, slowedBy } from './stability/play'
 
@@ -34,10 +34,10 @@ if (options.engine) {
       if (slider === undefined) continue
       const slowed = Array.from({ length: Math.min(scene.seeds, Number(options.seeds)) }, (_, i) => {
         const known = { ...scene, measures: [], measure: () => [] }
-        const { film } = filmScene(engine, known, engine.settings[0], i + 1)
-        const frames = Array.from({ length: film.frames }, (_, k) => k + 1)
+        const { trajectory } = simulateScene(engine, known, engine.settings[0], i + 1)
+        const frames = Array.from({ length: trajectory.frames }, (_, k) => k + 1)
         return Math.max(
-          ...frames.map((k) => slowedBy(scene, film.chips[slider], k, film.state(k, slider).vx)),
+          ...frames.map((k) => slowedBy(scene, trajectory.chips[slider], k, trajectory.state(k, slider).vx)),
         )
       })
       const bound = scene.bounds.slowed!

@@ -211,8 +211,8 @@ test.describe('benchmarks', () => {
     await expect(table.getByRole('row')).toHaveCount(7)
     const news = await page.evaluate(() => (window as unknown as { news: string[] }).news)
     const turn = ['gravity-stack', 'gravity-stack', 'matter-js', 'matter-js', 'rapier', 'rapier']
-    const films = Array(3).fill('gravity-stack')
-    expect(news.slice(0, news.indexOf('point'))).toEqual([...Array(12).fill(turn).flat(), ...films])
+    const runs = Array(3).fill('gravity-stack')
+    expect(news.slice(0, news.indexOf('point'))).toEqual([...Array(12).fill(turn).flat(), ...runs])
   })
 })
 

@@ -1,9 +1,9 @@
 // Scenes with one right answer: a closed form or an ODE.
 import { bouncingDisc, flight, massOf, pillsImpact, strike, topple } from './references'
-import { type Chip, conditions, type Film, frame, type Scene } from './scene'
+import { type Chip, conditions, frame, type Scene, type Trajectory } from './scene'
 
 const pixels = (target: number, name = 'error') => [{ name, unit: 'px', target }]
-const ended = (film: Film) => film.state(film.frames)
+const ended = (trajectory: Trajectory) => trajectory.state(trajectory.frames)
 const disc = { width: 40, height: 40, radius: 20 }
 const pill = { width: 80, height: 30, radius: 15 }
 
@@ -18,7 +18,7 @@ function fall(name: string, title: string, linearDamping: number): Scene {
     seeds: 1,
     build: () => [{ ...pill, x: 320, y: 60, angle: 0 }],
     measures: pixels(1e-9),
-    measure: (film) => [Math.abs(ended(film).y - 60 - flight(0, 2600, linearDamping, 1).moved)],
+    measure: (trajectory) => [Math.abs(ended(trajectory).y - 60 - flight(0, 2600, linearDamping, 1).moved)],
   }
 }
 
@@ -32,8 +32,8 @@ const projectile: Scene = {
   seeds: 1,
   build: () => [{ ...pill, x: 500, y: 1500, angle: 0.3, vx: 900, vy: -1100, spin: 9 }],
   measures: [...pixels(1e-9), { name: 'turn', unit: 'rad', target: 1e-8 }],
-  measure(film) {
-    const end = ended(film)
+  measure(trajectory) {
+    const end = ended(trajectory)
     const x = 500 + flight(900, 0, 0.35, 1).moved
     const y = 1500 + flight(-1100, 2600, 0.35, 1).moved
     const angle = 0.3 + flight(9, 0, 1.4, 1).moved
@@ -56,7 +56,7 @@ const spin: Scene = {
   seeds: 1,
   build: () => [{ ...pill, x: 320, y: 320, angle: 0, spin: 20 }],
   measures: [{ name: 'turn', unit: 'rad', target: 1e-8 }],
-  measure: (film) => [turnedBetween(ended(film).angle, 20)],
+  measure: (trajectory) => [turnedBetween(ended(trajectory).angle, 20)],
 }
 
 function bounces(name: string, bounce: number, count: number): Scene {
@@ -71,8 +71,8 @@ function bounces(name: string, bounce: number, count: number): Scene {
     seeds: 1,
     build: () => [{ ...disc, x: 320, y: 320 - drop, angle: 0 }],
     measures: pixels(1e-6, 'apex'),
-    measure(film) {
-      const apexes = film.apexes()
+    measure(trajectory) {
+      const apexes = trajectory.apexes()
       let worst = 0
       for (let i = 0; i < count; i++) {
         const height = drop * bounce ** (2 * (i + 1))
@@ -93,8 +93,8 @@ const perpetual: Scene = {
   seeds: 1,
   build: () => [{ ...disc, x: 320, y: 120, angle: 0 }],
   measures: [{ name: 'height', unit: 'relative', target: 1e-6 }],
-  measure(film) {
-    const last = film.apexes().at(-1) ?? 320
+  measure(trajectory) {
+    const last = trajectory.apexes().at(-1) ?? 320
     return [Math.abs(320 - last - 200) / 200]
   },
 }
@@ -109,7 +109,7 @@ const slide: Scene = {
   seeds: 1,
   build: () => [{ width: 60, height: 40, x: 200, y: 320, angle: 0, vx: 800 }],
   measures: pixels(0.005),
-  measure: (film) => [Math.abs(ended(film).x - 200 - 800 ** 2 / (2 * 0.4 * 2600))],
+  measure: (trajectory) => [Math.abs(ended(trajectory).x - 200 - 800 ** 2 / (2 * 0.4 * 2600))],
 }
 
 const roll: Scene = {
@@ -122,11 +122,11 @@ const roll: Scene = {
   seeds: 1,
   build: () => [{ ...disc, x: 200, y: 320, angle: 0, vx: 600 }],
   measures: pixels(0.02),
-  measure(film) {
+  measure(trajectory) {
     const brake = 0.4 * 2600
     const grips = 600 / (3 * brake)
     const x = 200 + 600 * grips - (brake * grips ** 2) / 2 + 400 * (1 - grips)
-    return [Math.abs(ended(film).x - x)]
+    return [Math.abs(ended(trajectory).x - x)]
   },
 }
 
@@ -148,10 +148,10 @@ const impact: Scene = {
     { width: 30, height: 80, radius: 15, x: 1023, y: 893.7, angle: 0, vy: 500 },
   ],
   measures: [{ name: 'velocity', unit: 'px/s', target: 1e-9 }],
-  measure(film) {
+  measure(trajectory) {
     const want = pillsImpact(500, 23, pill, pill, 0.5)
-    const a = film.state(film.frames, 0)
-    const b = film.state(film.frames, 1)
+    const a = trajectory.state(trajectory.frames, 0)
+    const b = trajectory.state(trajectory.frames, 1)
     return [
       Math.max(
         speedError(a, { vx: 0, vy: want.struck.speed, spin: want.struck.spin }, 40),
@@ -178,7 +178,7 @@ const oblique: Scene = {
   seeds: 1,
   build: () => obliqueThrows,
   measures: [{ name: 'velocity', unit: 'px/s', target: 1e-9 }],
-  measure(film) {
+  measure(trajectory) {
     let worst = 0
     obliqueThrows.forEach((chip, i) => {
       const r = chip.radius ?? 0
@@ -187,7 +187,7 @@ const oblique: Scene = {
       const { mass, inertia } = massOf(chip)
       const velocity = { vx: chip.vx ?? 0, vy: chip.vy ?? 0, spin: chip.spin ?? 0 }
       const want = strike({ mass, inertia, ...arm, ...velocity }, 0, -1, 0.5, 0.4)
-      worst = Math.max(worst, speedError(film.state(film.frames, i), want, chip.width / 2))
+      worst = Math.max(worst, speedError(trajectory.state(trajectory.frames, i), want, chip.width / 2))
     })
     return [worst]
   },
@@ -205,16 +205,16 @@ const ricochet: Scene = {
   seeds: 1,
   build: () => [{ ...disc, ...ricochetStart, angle: 0 }],
   measures: pixels(1e-6),
-  measure(film) {
+  measure(trajectory) {
     let worst = 0
-    for (let k = 1; k <= film.frames; k++) {
+    for (let k = 1; k <= trajectory.frames; k++) {
       const want = bouncingDisc(
         ricochetStart,
-        film.scene,
+        trajectory.scene,
         { gravity: 2600, bounce: 0.8, friction: 0.4 },
         k * frame,
       )
-      const got = film.state(k)
+      const got = trajectory.state(k)
       worst = Math.max(worst, Math.hypot(got.x - want.x, got.y - want.y))
     }
     return [worst]
@@ -234,12 +234,12 @@ const toppling: Scene = {
   seeds: 1,
   build: () => [{ ...upright, x: 320, y: 340 - topple(upright, lean, 2600, 0).height, angle: lean }],
   measures: pixels(0.02),
-  measure(film) {
+  measure(trajectory) {
     const start = topple(upright, lean, 2600, 0).x
     let worst = 0
-    for (let k = 1; k <= film.frames; k++) {
+    for (let k = 1; k <= trajectory.frames; k++) {
       const want = topple(upright, lean, 2600, k * frame, 6000)
-      const got = film.state(k)
+      const got = trajectory.state(k)
       const away = Math.hypot(got.x - 320 - want.x + start, got.y - 340 + want.height)
       worst = Math.max(worst, away, 45 * turnedBetween(got.angle, want.angle))
     }

@@ -1,7 +1,7 @@
 // Scenes without one right answer: piles are chaotic, so they are judged by what any right answer has.
 import { chipDistance, halfExtent } from './exact-distance'
 import { contactResidual } from './residual'
-import { type Chip, conditions, type Film, type Scene } from './scene'
+import { type Chip, conditions, type Scene, type Trajectory } from './scene'
 import { seeded } from './seeded'
 
 function stack(count: number, target: number): Scene {
@@ -24,7 +24,7 @@ function stack(count: number, target: number): Scene {
         angle: 0,
       })),
     measures: [{ name: 'drift', unit: 'px', target }],
-    measure: (film) => [film.drift()],
+    measure: (trajectory) => [trajectory.drift()],
   }
 }
 
@@ -47,7 +47,7 @@ const pyramid: Scene = {
     return chips
   },
   measures: [{ name: 'drift', unit: 'px', target: 0.05 }],
-  measure: (film) => [film.drift()],
+  measure: (trajectory) => [trajectory.drift()],
 }
 
 const massRatio: Scene = {
@@ -67,7 +67,7 @@ const massRatio: Scene = {
     { name: 'overlap', unit: 'px', target: 0.2 },
     { name: 'drift', unit: 'px', target: 0.5 },
   ],
-  measure: (film) => [film.worstOverlap(), film.drift()],
+  measure: (trajectory) => [trajectory.worstOverlap(), trajectory.drift()],
 }
 
 export const kinds = ['pills', 'badges', 'mixed', 'discs', 'words'] as const
@@ -170,10 +170,10 @@ function pour(kind: Kind, count: number, seconds: number, seeds: number, targets
       { name: slowest, unit: 's', target: targets.slowest, over: 'worst', ranked: false },
       ...(count === 60 ? [{ name: 'contact residual', unit: 'weights', over: 'median' as const }] : []),
     ],
-    measure(film: Film) {
-      const time = film.timeToRest()
-      const errors = [film.overlap(film.frames), film.worstOverlap(), time, time]
-      return count === 60 ? [...errors, contactResidual(film, film.frames)] : errors
+    measure(trajectory: Trajectory) {
+      const time = trajectory.timeToRest()
+      const errors = [trajectory.overlap(trajectory.frames), trajectory.worstOverlap(), time, time]
+      return count === 60 ? [...errors, contactResidual(trajectory, trajectory.frames)] : errors
     },
   }
 }

@@ -1,7 +1,7 @@
 // How far a pile is from obeying the laws of contact, whatever engine moved it: no engine's own impulses are asked.
 import { chipDistance, cornerRadius, halfExtent, type Pose, type Shape } from './exact-distance'
 import { massOf } from './references'
-import { type Film, frame } from './scene'
+import { frame, type Trajectory } from './scene'
 
 /** px, chips closer than this may press on each other: some engines keep a gap of 1 to 1.5 px. */
 const reach = 2
@@ -21,23 +21,29 @@ function coreCorners(shape: Shape, pose: Pose) {
 }
 
 /** Contacts of the core corners of chip `a` with the surface of chip `b`. */
-function cornersAgainst(film: Film, poses: Pose[], a: number, b: number, flip: boolean): Contact[] {
-  const shape = film.chips[b]
+function cornersAgainst(
+  trajectory: Trajectory,
+  poses: Pose[],
+  a: number,
+  b: number,
+  flip: boolean,
+): Contact[] {
+  const shape = trajectory.chips[b]
   const pose = poses[b]
   const rb = cornerRadius(shape)
-  const ra = cornerRadius(film.chips[a])
+  const ra = cornerRadius(trajectory.chips[a])
   const hx = shape.width / 2 - rb
   const hy = shape.height / 2 - rb
   const c = Math.cos(pose.angle)
   const s = Math.sin(pose.angle)
   // The side of b by which the two are least in each other: a corner of a that is inside the core goes out through that.
-  const [ax, ay] = halfExtent(film.chips[a], poses[a].angle - pose.angle)
+  const [ax, ay] = halfExtent(trajectory.chips[a], poses[a].angle - pose.angle)
   const x = c * (poses[a].x - pose.x) + s * (poses[a].y - pose.y)
   const y = c * (poses[a].y - pose.y) - s * (poses[a].x - pose.x)
   const sideways = Math.abs(x) - hx - ax > Math.abs(y) - hy - ay
   const way = Math.sign(sideways ? x : y) || 1
   const contacts: Contact[] = []
-  for (const corner of coreCorners(film.chips[a], poses[a])) {
+  for (const corner of coreCorners(trajectory.chips[a], poses[a])) {
     const dx = corner.x - pose.x
     const dy = corner.y - pose.y
     const lx = c * dx + s * dy
@@ -62,8 +68,8 @@ function cornersAgainst(film: Film, poses: Pose[], a: number, b: number, flip: b
   return contacts
 }
 
-function contactsOf(film: Film, poses: Pose[]): Contact[] {
-  const { chips, scene } = film
+function contactsOf(trajectory: Trajectory, poses: Pose[]): Contact[] {
+  const { chips, scene } = trajectory
   const contacts: Contact[] = []
   for (let i = 0; i < chips.length; i++) {
     const r = cornerRadius(chips[i])
@@ -78,7 +84,10 @@ function contactsOf(film: Film, poses: Pose[]): Contact[] {
       if (Math.abs(poses[i].x - poses[j].x) > ix + jx + reach) continue
       if (Math.abs(poses[i].y - poses[j].y) > iy + jy + reach) continue
       if (chipDistance(chips[i], poses[i], chips[j], poses[j]) > reach) continue
-      contacts.push(...cornersAgainst(film, poses, i, j, false), ...cornersAgainst(film, poses, j, i, true))
+      contacts.push(
+        ...cornersAgainst(trajectory, poses, i, j, false),
+        ...cornersAgainst(trajectory, poses, j, i, true),
+      )
     }
   }
   return contacts
@@ -90,19 +99,19 @@ function contactsOf(film: Film, poses: Pose[]): Contact[] {
  * with ‖(λₙ − max(0, λₙ − ρuₙ), λₜ − clamp(λₜ − ρuₜ, ±μλₙ))‖ at the velocities u the frame ended with.
  * 0 is a pile at rest in balance; 1 is a weight that nothing carries.
  */
-export function contactResidual(film: Film, k: number, sweeps = 4000) {
-  const { chips, scene } = film
+export function contactResidual(trajectory: Trajectory, k: number, sweeps = 4000) {
+  const { chips, scene } = trajectory
   const { gravity, friction } = scene.conditions
-  const poses = film.poses(k)
-  const contacts = contactsOf(film, poses)
+  const poses = trajectory.poses(k)
+  const contacts = contactsOf(trajectory, poses)
   const bodies = chips.map(massOf)
   const n = chips.length
   // The change of velocity still to be explained; impulses take their share out of it. One more row is the stage.
   const left = new Float64Array(3 * (n + 1))
   const now = new Float64Array(3 * (n + 1))
   for (let i = 0; i < n; i++) {
-    const before = film.state(k - 1, i)
-    const after = film.state(k, i)
+    const before = trajectory.state(k - 1, i)
+    const after = trajectory.state(k, i)
     left[3 * i] = after.vx - before.vx
     left[3 * i + 1] = after.vy - before.vy - gravity * frame
     left[3 * i + 2] = after.spin - before.spin

@@ -55,7 +55,7 @@ export type Scene = {
   build(seed: number): Chip[]
   measures: Measure[]
   /** One number for each entry of `measures`. */
-  measure(film: Film): number[]
+  measure(trajectory: Trajectory): number[]
 }
 
 /** x, y, angle, vx, vy, spin */
@@ -75,7 +75,7 @@ export function driftOf(chips: Chip[], poses: Pose[]) {
 }
 
 /** The state of every chip at every frame; frame 0 is the start. */
-export class Film {
+export class Trajectory {
   readonly frames: number
   readonly data: Float64Array
   constructor(

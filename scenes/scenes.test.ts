@@ -4,7 +4,7 @@ import { worstOverlap } from './exact-distance'
 import { hardScenes } from './hard'
 import { pourChips, pourStage } from './piles'
 import { contactResidual } from './residual'
-import { Film } from './scene'
+import { Trajectory } from './scene'
 
 describe('the scenes', () => {
   it('have names of their own, and one measure at least', () => {
@@ -43,48 +43,48 @@ describe('the scenes', () => {
 
   it('read bounce heights off the frames, whatever their phase', () => {
     const scene = sceneNamed('bounce-0.5')
-    const film = new Film(scene, scene.build(1), 30)
-    for (let k = 0; k <= 30; k++) film.at(k)[1] = 100 + 1300 * ((k - 14.37) / 60) ** 2
-    expect(film.apexes()).toHaveLength(1)
-    expect(film.apexes()[0]).toBeCloseTo(100, 10)
+    const trajectory = new Trajectory(scene, scene.build(1), 30)
+    for (let k = 0; k <= 30; k++) trajectory.at(k)[1] = 100 + 1300 * ((k - 14.37) / 60) ** 2
+    expect(trajectory.apexes()).toHaveLength(1)
+    expect(trajectory.apexes()[0]).toBeCloseTo(100, 10)
   })
 
   it('see when the last chip calms down', () => {
     const scene = sceneNamed('stack-10')
-    const film = new Film(scene, scene.build(1), 60)
-    for (let k = 0; k <= 60; k++) film.at(k)[6 * 9 + 3] = k <= 33 ? 8 : 6
-    expect(film.timeToRest()).toBeCloseTo(33 / 60, 12)
+    const trajectory = new Trajectory(scene, scene.build(1), 60)
+    for (let k = 0; k <= 60; k++) trajectory.at(k)[6 * 9 + 3] = k <= 33 ? 8 : 6
+    expect(trajectory.timeToRest()).toBeCloseTo(33 / 60, 12)
   })
 
   it('measure drift at the corner that moved furthest', () => {
     const scene = sceneNamed('stack-10')
-    const film = new Film(scene, scene.build(1), 1)
-    film.at(1).set(film.at(0))
-    expect(film.drift()).toBe(0)
-    film.at(1)[0] += 3
-    film.at(1)[1] += 4
-    expect(film.drift()).toBeCloseTo(5, 12)
-    film.at(1).set(film.at(0))
+    const trajectory = new Trajectory(scene, scene.build(1), 1)
+    trajectory.at(1).set(trajectory.at(0))
+    expect(trajectory.drift()).toBe(0)
+    trajectory.at(1)[0] += 3
+    trajectory.at(1)[1] += 4
+    expect(trajectory.drift()).toBeCloseTo(5, 12)
+    trajectory.at(1).set(trajectory.at(0))
     // A box of 80 by 40 px that has only turned.
-    film.at(1)[2] = 0.2
-    expect(film.drift()).toBeCloseTo(2 * Math.hypot(40, 20) * Math.sin(0.1), 12)
+    trajectory.at(1)[2] = 0.2
+    expect(trajectory.drift()).toBeCloseTo(2 * Math.hypot(40, 20) * Math.sin(0.1), 12)
   })
 
   it('find a stack at rest in balance, one in the air a weight short, and one that sinks at fault', () => {
     const scene = sceneNamed('stack-10')
-    const film = new Film(scene, scene.build(1), 1)
-    film.at(1).set(film.at(0))
-    expect(contactResidual(film, 1, 40_000)).toBeLessThan(1e-3)
+    const trajectory = new Trajectory(scene, scene.build(1), 1)
+    trajectory.at(1).set(trajectory.at(0))
+    expect(contactResidual(trajectory, 1, 40_000)).toBeLessThan(1e-3)
     // Pressed into one another by a hundredth of a pixel the sharp corners are inside.
-    const pressed = new Film(scene, scene.build(1), 1)
+    const pressed = new Trajectory(scene, scene.build(1), 1)
     for (const k of [0, 1]) for (let i = 0; i < 10; i++) pressed.at(k)[6 * i + 1] += 0.01 * (i + 1)
     pressed.at(1).set(pressed.at(0))
     expect(contactResidual(pressed, 1, 40_000)).toBeLessThan(1e-3)
-    const sinking = new Film(scene, scene.build(1), 1)
+    const sinking = new Trajectory(scene, scene.build(1), 1)
     sinking.at(1).set(sinking.at(0))
     for (const k of [0, 1]) for (let i = 0; i < 10; i++) sinking.at(k)[6 * i + 4] = 20
     expect(contactResidual(sinking, 1, 40_000)).toBeGreaterThan(0.1)
-    const flying = new Film(scene, scene.build(1), 1)
+    const flying = new Trajectory(scene, scene.build(1), 1)
     flying.at(1).set(flying.at(0))
     for (let i = 0; i < 10; i++) flying.at(1)[6 * i + 1] -= 100 * (i + 1)
     expect(contactResidual(flying, 1)).toBeCloseTo(1, 6)

@@ -1,12 +1,12 @@
 // Pours chips with three engines in the visitor's browser and posts what it finds.
 
-import { filmScene, median } from '@/bench/accuracy/trajectory'
+import { median, simulateScene } from '@/bench/accuracy/trajectory'
 import type { Engine, Setting } from '@/bench/engines/engine'
 import { matter } from '@/bench/engines/matter'
 import { ours } from '@/bench/engines/ours'
 import { rapierPlain } from '@/bench/engines/rapier'
 import { sceneNamed } from '@/scenes'
-import { Film } from '@/scenes/scene'
+import { Trajectory } from '@/scenes/scene'
 
 export type DevicePoint = { engine: string; setting: Setting; cost: number; rest: number; during: number }
 export type DeviceNews =
@@ -18,10 +18,10 @@ export type DeviceNews =
 const post = (news: DeviceNews) => postMessage(news)
 
 const seeds = [1, 2, 3]
-/** Times that each contestant pours all seeds, untimed and timed. */
+/** Times that each variant pours all seeds, untimed and timed. */
 const warmUps = 1
 const rounds = 3
-const contestants: [Engine, Setting][] = [
+const variants: [Engine, Setting][] = [
   [ours, {}],
   [ours, { substeps: 16 }],
   [matter, matter.settings[0]],
@@ -32,27 +32,27 @@ const contestants: [Engine, Setting][] = [
 
 async function run() {
   const scene = sceneNamed('pour-pills-60')
-  const total = contestants.length * (warmUps + rounds + 1) * seeds.length
+  const total = variants.length * (warmUps + rounds + 1) * seeds.length
   let done = 0
   const progress = (engine: Engine) => post({ kind: 'progress', done: done++, total, engine: engine.name })
 
   /** µs a frame of one pour. */
   function timed(engine: Engine, setting: Setting, seed: number) {
-    const film = new Film(scene, scene.build(seed))
-    const run = engine.start(scene, film.chips, setting, false)
+    const trajectory = new Trajectory(scene, scene.build(seed))
+    const run = engine.start(scene, trajectory.chips, setting, false)
     const start = performance.now()
-    for (let k = 0; k < film.frames; k++) run.step()
-    const cost = ((performance.now() - start) * 1000) / film.frames
+    for (let k = 0; k < trajectory.frames; k++) run.step()
+    const cost = ((performance.now() - start) * 1000) / trajectory.frames
     run.free()
     return cost
   }
 
   // All are warm before any is timed, and they take turns: else the first pays for the browser's compiler.
-  for (const [engine] of contestants) await engine.load()
-  const costs = contestants.map((): number[] => [])
+  for (const [engine] of variants) await engine.load()
+  const costs = variants.map((): number[] => [])
   for (let round = -warmUps; round < rounds; round++) {
     for (const seed of seeds) {
-      for (const [i, [engine, setting]] of contestants.entries()) {
+      for (const [i, [engine, setting]] of variants.entries()) {
         progress(engine)
         const cost = timed(engine, setting, seed)
         if (round >= 0) costs[i].push(cost)
@@ -61,14 +61,14 @@ async function run() {
   }
 
   // Poses are read only in runs that are not timed.
-  for (const [i, [engine, setting]] of contestants.entries()) {
+  for (const [i, [engine, setting]] of variants.entries()) {
     const rest: number[] = []
     const during: number[] = []
     for (const seed of seeds) {
       progress(engine)
-      const { film } = filmScene(engine, scene, setting, seed)
-      rest.push(film.overlap(film.frames))
-      during.push(film.worstOverlap())
+      const { trajectory } = simulateScene(engine, scene, setting, seed)
+      rest.push(trajectory.overlap(trajectory.frames))
+      during.push(trajectory.worstOverlap())
     }
     const point = { engine: engine.name, setting, cost: median(costs[i]) }
     post({ kind: 'point', point: { ...point, rest: Math.max(...rest), during: median(during) } })

@@ -4,15 +4,15 @@ import { type Check, checks } from '../../scenes/fuzzed'
 import { hardScenes } from '../../scenes/hard'
 import { pileScenes } from '../../scenes/piles'
 import type { Scene } from '../../scenes/scene'
-import { filmScene } from '../accuracy/trajectory'
+import { simulateScene } from '../accuracy/trajectory'
 import { ours } from '../engines/ours'
 import { block, survey } from '../fuzz/search'
 import { playHardScene } from '../stability/play'
 import { figureOf, type Group, over, type Run, type Subject } from './row'
 
 function measured(scene: Scene): Run {
-  const { film } = filmScene(ours, scene, {})
-  const values = scene.measure(film)
+  const { trajectory } = simulateScene(ours, scene, {})
+  const values = scene.measure(trajectory)
   return Object.fromEntries(scene.measures.map(({ name }, i) => [name, values[i]]))
 }
 

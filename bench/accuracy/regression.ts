@@ -2,7 +2,7 @@
 import { scenes } from '../../scenes'
 import type { Scene } from '../../scenes/scene'
 import { ours } from '../engines/ours'
-import { filmScene } from './trajectory'
+import { simulateScene } from './trajectory'
 
 type SceneBound = { errors: Record<string, number>; work: Record<string, number> }
 export type Bounds = Record<string, SceneBound>
@@ -12,8 +12,8 @@ const counted = ['narrow', 'points', 'substeps', 'sweeps']
 
 /** Chaotic scenes are held to their first seed. */
 export function measureScene(scene: Scene): SceneBound {
-  const { film, work } = filmScene(ours, scene, {}, 1)
-  const errors = scene.measure(film)
+  const { trajectory, work } = simulateScene(ours, scene, {}, 1)
+  const errors = scene.measure(trajectory)
   return {
     errors: Object.fromEntries(scene.measures.map(({ name }, i) => [name, errors[i]])),
     work: Object.fromEntries(counted.map((key) => [key, work[key] ?? 0])),

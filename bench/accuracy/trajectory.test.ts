@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import { conditions, frame, type Scene } from '../../scenes/scene'
 import type { Engine } from '../engines/engine'
-import { filmScene, sceneErrors } from './trajectory'
+import { sceneErrors, simulateScene } from './trajectory'
 
 /** One chip that is a pixel further right after each step, times its seed; at the third seed it is lost. */
 const scene: Scene = {
@@ -17,7 +17,7 @@ const scene: Scene = {
     { name: 'worst', unit: 'px' },
     { name: 'median', unit: 'px', over: 'median' },
   ],
-  measure: (film) => [film.state(film.frames).x, film.state(film.frames).x],
+  measure: (trajectory) => [trajectory.state(trajectory.frames).x, trajectory.state(trajectory.frames).x],
 }
 
 const running = new Set<object>()
@@ -46,9 +46,9 @@ const walker: Engine = {
   },
 }
 
-it('a film has every frame, and the work of all', () => {
-  const { film, work } = filmScene(walker, scene, {}, 2)
-  expect([0, 1, 2, 3].map((k) => film.state(k).x)).toEqual([0, 2, 4, 6])
+it('a trajectory has every frame, and the work of all', () => {
+  const { trajectory, work } = simulateScene(walker, scene, {}, 2)
+  expect([0, 1, 2, 3].map((k) => trajectory.state(k).x)).toEqual([0, 2, 4, 6])
   expect(work).toEqual({ steps: 3 })
   expect(running.size).toBe(0)
 })

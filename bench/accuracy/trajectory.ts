@@ -1,21 +1,21 @@
-import { Film, type Scene } from '../../scenes/scene'
+import { type Scene, Trajectory } from '../../scenes/scene'
 import type { Engine, Setting } from '../engines/engine'
 
 /** Runs a scene and keeps every frame, and the sum of what the engine says it did. */
-export function filmScene(engine: Engine, scene: Scene, setting: Setting, seed = 1) {
-  const film = new Film(scene, scene.build(seed))
-  const run = engine.start(scene, film.chips, setting, false)
+export function simulateScene(engine: Engine, scene: Scene, setting: Setting, seed = 1) {
+  const trajectory = new Trajectory(scene, scene.build(seed))
+  const run = engine.start(scene, trajectory.chips, setting, false)
   const work: Record<string, number> = {}
   try {
-    for (let k = 1; k <= film.frames; k++) {
+    for (let k = 1; k <= trajectory.frames; k++) {
       run.step()
-      run.read(film.at(k))
+      run.read(trajectory.at(k))
       for (const [key, value] of Object.entries(run.work?.() ?? {})) work[key] = (work[key] ?? 0) + value
     }
   } finally {
     run.free()
   }
-  return { film, work }
+  return { trajectory, work }
 }
 
 export function median(values: number[]) {
@@ -28,8 +28,10 @@ export function median(values: number[]) {
 export function sceneErrors(engine: Engine, scene: Scene, setting: Setting, seeds = scene.seeds) {
   const perSeed: number[][] = []
   for (let seed = 1; seed <= Math.min(seeds, scene.seeds); seed++) {
-    const { film } = filmScene(engine, scene, setting, seed)
-    perSeed.push(scene.measure(film).map((value) => (Number.isNaN(value) ? Number.POSITIVE_INFINITY : value)))
+    const { trajectory } = simulateScene(engine, scene, setting, seed)
+    perSeed.push(
+      scene.measure(trajectory).map((value) => (Number.isNaN(value) ? Number.POSITIVE_INFINITY : value)),
+    )
   }
   return scene.measures.map((measure, i) => {
     const values = perSeed.map((row) => row[i])

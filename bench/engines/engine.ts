@@ -22,9 +22,9 @@ export type Engine = {
   settings: Setting[]
   /** the one of them beside the default that stands for all others where there is no time for them */
   accurate: Setting
-  /** takes so long, or stands beside a faster build of its own, that its pours are filmed from fewer seeds, and its largest piles after all others */
+  /** takes so long, or stands beside a faster build of its own, that its pours are simulated from fewer seeds, and its largest piles after all others */
   brief?: true
-  /** another build of the same engine, whose chips move by the same bits: its films stand for both */
+  /** another build of the same engine, whose chips move by the same bits: its errors stand for both */
   sameBitsAs?: string
   load(): Promise<void>
   /** Without `sleep` everything stays awake, so that what is measured is the solver and not its sleep. */

@@ -1,10 +1,10 @@
 import { expect, it } from 'vitest'
 import { sceneNamed } from '../../scenes'
-import { filmScene } from '../accuracy/trajectory'
+import { simulateScene } from '../accuracy/trajectory'
 import { sourcesOf } from '../build/sources'
 import { describeEngine, engineNames, loadEngine, moduleOf } from '.'
 
-it('a build whose films stand for another moves every chip by the same bits', async () => {
+it('a build that shares another one’s errors moves every chip by the same bits', async () => {
   const all = await Promise.all(engineNames.map(describeEngine))
   const twins = all.filter(({ sameBitsAs }) => sameBitsAs)
   expect(twins.map(({ name }) => name)).toEqual(['box2d3-wasm'])
@@ -12,8 +12,10 @@ it('a build whose films stand for another moves every chip by the same bits', as
     const [one, other] = [await loadEngine(name), await loadEngine(String(sameBitsAs))]
     expect(other.settings).toEqual(settings)
     for (const setting of [settings[0], accurate]) {
-      const films = [one, other].map((engine) => filmScene(engine, sceneNamed('pour-mixed-60'), setting).film)
-      expect(films[0].data).toEqual(films[1].data)
+      const trajectories = [one, other].map(
+        (engine) => simulateScene(engine, sceneNamed('pour-mixed-60'), setting).trajectory,
+      )
+      expect(trajectories[0].data).toEqual(trajectories[1].data)
     }
   }
 })

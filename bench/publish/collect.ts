@@ -1,12 +1,12 @@
 // What a run has found, as it is written down.
 import type { Scene } from '../../scenes/scene'
-import type { Films } from '../accuracy/error-runs'
+import type { ErrorRuns } from '../accuracy/error-runs'
 import { median } from '../accuracy/trajectory'
 import type { Engine, Setting } from '../engines/engine'
 import { medianCost } from '../speed/job'
-import { type Contest, type Contestant, largeSize, sameSetting } from '../speed/plan'
+import { largeSize, type Plan, sameSetting, type Variant } from '../speed/plan'
 import { packageVersion } from '../speed/tasks'
-import type { Ledger } from '../speed/timings'
+import type { Timings } from '../speed/timings'
 import { engineBytes } from './bytes'
 import { commit, machine } from './machine'
 import type { ErrorRow, MissingRow, PourCostRow, Results, SceneCostRow } from './report'
@@ -17,15 +17,15 @@ const spreadOf = (costs: number[]) => ({
   rounds: costs.length,
 })
 
-const isOf = (row: Contestant, engine: Engine, setting: Setting) =>
+const isOf = (row: Variant, engine: Engine, setting: Setting) =>
   row.engine === engine.name && sameSetting(row.setting, setting)
 
 /** `single` gives what was measured once for each engine. */
 export async function collect(
-  { quick, engines, scenes, sizes, swept, tasks }: Contest,
-  { roundsOf, unmeasured, roundsOfScene, sceneLeastOf }: Ledger,
-  films: Films,
-  contestants: (chips: number) => Contestant[],
+  { quick, engines, scenes, sizes, swept, tasks }: Plan,
+  { roundsOf, unmeasured, roundsOfScene, sceneLeastOf }: Timings,
+  errorRuns: ErrorRuns,
+  variants: (chips: number) => Variant[],
   single: (kind: 'asleep' | 'allocation') => Record<string, number | null>,
 ): Promise<Results> {
   const { outcomeOf, failureOf, kept, othersShare } = tasks
@@ -34,7 +34,7 @@ export async function collect(
   const errors: ErrorRow[] = engines.flatMap((engine) =>
     scenes.flatMap((scene) =>
       engine.settings.flatMap((setting) => {
-        const job = films.of(engine, scene, setting).find((job) => outcomeOf(job))
+        const job = errorRuns.of(engine, scene, setting).find((job) => outcomeOf(job))
         if (!job) return []
         const row = outcomeOf(job)![job.settings.findIndex((other) => sameSetting(other, setting))]
         const values = row.map((value) => (Number.isFinite(value) ? value : null))
@@ -44,12 +44,12 @@ export async function collect(
   )
 
   const pourCosts: PourCostRow[] = sizes.flatMap((chips) =>
-    contestants(chips).map((contestant) => {
-      const costs = roundsOf(contestant, chips)
-      const row = { ...contestant, chips, ...spreadOf(costs.map((cost) => cost.mean)) }
+    variants(chips).map((variant) => {
+      const costs = roundsOf(variant, chips)
+      const row = { ...variant, chips, ...spreadOf(costs.map((cost) => cost.mean)) }
       return costs.length > 0
         ? { ...row, cost: medianCost(costs) }
-        : { ...row, cost: null, ...unmeasured(contestant, chips) }
+        : { ...row, cost: null, ...unmeasured(variant, chips) }
     }),
   )
   /** The pour that a scene is, if it is one of those that are large. */
@@ -74,12 +74,12 @@ export async function collect(
   const missing: MissingRow[] = engines.flatMap((engine) =>
     scenes.flatMap((scene) =>
       swept(engine).flatMap((setting) => {
-        const isHere = (row: Contestant & { scene: string }) =>
+        const isHere = (row: Variant & { scene: string }) =>
           row.scene === scene.name && isOf(row, engine, setting)
         const cost = sceneCosts.find(isHere)
         if (errors.some(isHere) && cost) return []
         const pour = pourOf(engine, scene, setting)
-        const broken = films.of(engine, scene, setting).findLast((job) => failureOf(job))
+        const broken = errorRuns.of(engine, scene, setting).findLast((job) => failureOf(job))
         const least = sceneLeastOf(engine.name, scene.name, setting)
         const early = least && 'given up once it had taken three times as long as ours'
         const reason = (broken && failureOf(broken)) || pour?.reason || early || 'no time was left'
@@ -101,7 +101,7 @@ export async function collect(
     quick,
     minutes: Number((performance.now() / 60_000).toFixed(1)),
     resumed: kept.costs > 0,
-    kept: Number((kept.films / Math.max(1, films.taken)).toFixed(3)),
+    kept: Number((kept.errors / Math.max(1, errorRuns.taken)).toFixed(3)),
     others: Number(othersShare().toFixed(3)),
     rounds: Math.max(1, ...[...sceneCosts, ...pourCosts].map((row) => row.rounds)),
     commit: commit(),

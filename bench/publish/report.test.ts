@@ -145,7 +145,7 @@ describe('the claim', () => {
     ])
     results.errors.push({ ...results.errors[1], scene: 'roll', errors: [1e-4] })
     results.sceneCosts.push({ ...results.sceneCosts[1], scene: 'roll', cost: 1 })
-    // One that was filmed and never timed has no place.
+    // One that was simulated and never timed has no place.
     results.errors.push({ ...results.errors[1], engine: 'rapier', errors: [1e-4] })
     expect(verdicts(results)[0]).toMatchObject({ beaten: [], asCheap: null, asExact: { factor: 2 } })
   })

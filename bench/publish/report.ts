@@ -49,7 +49,7 @@ export type Results = {
   /** Minutes that the last sitting took, whether others came before it, and the share of the processors others had. */
   minutes: number
   resumed: boolean
-  /** share of the films, which give the errors, that were done in earlier runs */
+  /** share of the simulations, from which errors are read, that were done in earlier runs */
   kept: number
   others: number
   /** times that costs were measured at most: peers that took long, and what had no time left, less often */

@@ -14,7 +14,7 @@ export const pourFrames = 240
 const long = 2e5
 const far = 2
 
-export type Contestant = { engine: string; setting: Setting }
+export type Variant = { engine: string; setting: Setting }
 
 export const sameSetting = (a: Setting, b: Setting) => settingName(a) === settingName(b)
 
@@ -25,7 +25,7 @@ export const largeSize = (scene: { name: string }) =>
 export const timedOnce = (engine: string, cost: number, frames: number, own: number | undefined) =>
   engine !== ours && cost * frames > long && cost > far * (own ?? 0)
 
-/** Seconds of processor after which a job is given up: of several films, which then may get a job each, or of one. */
+/** Seconds of processor after which a job is given up: of several simulations, which then may get a job each, or of one. */
 const patience = (job: Job) =>
   'settings' in job && job.settings.length * ('seeds' in job ? job.seeds : 1) > 1 ? 200 : 90
 
@@ -42,10 +42,10 @@ type Options = {
   deadline: number
 }
 
-export type Contest = Awaited<ReturnType<typeof openContest>>
+export type Plan = Awaited<ReturnType<typeof openPlan>>
 
 /** Throws where no scene or no engine is called as the options say. */
-export async function openContest(options: Options) {
+export async function openPlan(options: Options) {
   const { quick, errors, fresh, deadline } = options
   const wantedScenes = options.scene?.split(',') ?? (quick ? ['slide', 'pour-pills-60'] : undefined)
   const chosenScenes = scenes.filter(
@@ -70,7 +70,7 @@ export async function openContest(options: Options) {
     sizes: options.scene ? chosenScenes.map(largeSize).filter(Boolean) : allSizes,
     /** Whether all scenes are played, so that sleep and allocation are measured too. */
     allScenes: !options.scene,
-    isDefault: ({ engine, setting }: Contestant) =>
+    isDefault: ({ engine, setting }: Variant) =>
       engines.some(({ name, settings }) => name === engine && sameSetting(settings[0], setting)),
     /** The settings at which scenes are timed. */
     swept: ({ settings }: Engine) => (quick ? [settings[0]] : settings),

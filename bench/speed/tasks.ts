@@ -110,13 +110,13 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
 
   const outcomes = new Map<string, unknown>()
   const failures = new Map<string, string>()
-  const kept = { costs: 0, films: 0 }
+  const kept = { costs: 0, errors: 0 }
 
   /** Whether a task is done already, in this run or in one before. */
   function isKnown({ key, job }: Task) {
     if (!outcomes.has(key) && done.has(key)) {
       outcomes.set(key, done.get(key))
-      kept[job.kind === 'errors' ? 'films' : 'costs']++
+      kept[job.kind === 'errors' ? 'errors' : 'costs']++
     }
     return outcomes.has(key)
   }

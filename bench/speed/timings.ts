@@ -4,50 +4,49 @@ import { median } from '../accuracy/trajectory'
 import type { Setting } from '../engines/engine'
 import { ours } from '../publish/report'
 import { type AtLeast, type Cost, type Job, medianCost, pourSeeds } from './job'
-import { type Contest, type Contestant, largeSize, pourFrames, sameSetting } from './plan'
+import { largeSize, type Plan, pourFrames, sameSetting, type Variant } from './plan'
 
 export type SceneCostJob = Extract<Job, { kind: 'scene cost' }>
-export type Ledger = ReturnType<typeof openLedger>
+export type Timings = ReturnType<typeof openTimings>
 
-export function openLedger({ quick, rounds, sizes, isDefault, tasks }: Contest) {
+export function openTimings({ quick, rounds, sizes, isDefault, tasks }: Plan) {
   const { outcomeOf, wasTried, failureOf } = tasks
   const allRounds = Array.from({ length: rounds }, (_, round) => round)
 
   // Pours
 
   /** ms after which a pour is given up: a peer's at another setting than the default once it has taken a fifth longer than ours. */
-  function pourPatience(contestant: Contestant, chips: number): number {
-    const own = isDefault(contestant) || contestant.engine === ours ? undefined : ownMean(chips)
+  function pourPatience(variant: Variant, chips: number): number {
+    const own = isDefault(variant) || variant.engine === ours ? undefined : ownMean(chips)
     return own ? Math.max(1000, 100 * Math.ceil((1.2 * own * pourFrames) / 1e5)) : 24_000
   }
-  const pourJob = (contestant: Contestant, chips: number) => ({
+  const pourJob = (variant: Variant, chips: number) => ({
     kind: 'pour cost' as const,
-    ...contestant,
+    ...variant,
     chips,
     shape: 'pills' as const,
     seeds: quick ? 1 : pourSeeds(chips),
     warmUp: quick ? 150 : 600,
-    patience: pourPatience(contestant, chips),
+    patience: pourPatience(variant, chips),
   })
-  const pourOf = (contestant: Contestant, chips: number, round = 0) =>
-    outcomeOf(pourJob(contestant, chips), round)
+  const pourOf = (variant: Variant, chips: number, round = 0) => outcomeOf(pourJob(variant, chips), round)
 
   /** The cost of the largest pour with fewer chips that was tried, if any was; null when it broke down. */
-  function withFewer(contestant: Contestant, chips: number): Cost | AtLeast | null | undefined {
+  function withFewer(variant: Variant, chips: number): Cost | AtLeast | null | undefined {
     const fewer = sizes[sizes.indexOf(chips) - 1]
     if (!fewer) return undefined
-    return wasTried(pourJob(contestant, fewer)) ? pourOf(contestant, fewer) : withFewer(contestant, fewer)
+    return wasTried(pourJob(variant, fewer)) ? pourOf(variant, fewer) : withFewer(variant, fewer)
   }
 
   /** What the rounds gave in which a pour was played to its end. */
-  function roundsOf(contestant: Contestant, chips: number): Cost[] {
+  function roundsOf(variant: Variant, chips: number): Cost[] {
     return allRounds
-      .map((round) => pourOf(contestant, chips, round))
+      .map((round) => pourOf(variant, chips, round))
       .filter((run) => run !== null && 'mean' in run)
   }
   /** µs a frame of a pour, in the median of its rounds. */
-  function meanOf(contestant: Contestant, chips: number) {
-    const costs = roundsOf(contestant, chips)
+  function meanOf(variant: Variant, chips: number) {
+    const costs = roundsOf(variant, chips)
     return costs.length > 0 ? medianCost(costs).mean : undefined
   }
   function ownMean(chips: number) {
@@ -55,23 +54,23 @@ export function openLedger({ quick, rounds, sizes, isDefault, tasks }: Contest) 
   }
 
   /** µs that a frame takes with fewer chips at a setting, and so at least with more; 0 where nothing is known. */
-  function leastOf(contestant: Contestant, chips: number): number {
-    const fewer = withFewer(contestant, chips)
+  function leastOf(variant: Variant, chips: number): number {
+    const fewer = withFewer(variant, chips)
     if (fewer) return 'mean' in fewer ? fewer.mean : fewer.atLeast
     // Settings that few chips are not poured at are swept in a scene of their own.
-    return chips > 60 ? costOf(contestant.engine, 'pour-pills-60', contestant.setting) || 0 : 0
+    return chips > 60 ? costOf(variant.engine, 'pour-pills-60', variant.setting) || 0 : 0
   }
 
   /** What is known of a pour that nobody could wait for. */
-  function unmeasured(contestant: Contestant, chips: number): { atLeast?: number; reason: string } {
+  function unmeasured(variant: Variant, chips: number): { atLeast?: number; reason: string } {
     const seconds = (micros: number) => `${((micros * pourFrames) / 1e6).toFixed(1)} s`
-    const own = pourOf(contestant, chips)
+    const own = pourOf(variant, chips)
     if (own && 'atLeast' in own) {
       return { atLeast: own.atLeast, reason: `given up after ${seconds(own.atLeast)}` }
     }
-    const taken = leastOf(contestant, chips)
-    if (!taken || wasTried(pourJob(contestant, chips))) {
-      return { reason: failureOf(pourJob(contestant, chips)) ?? 'failed with fewer chips' }
+    const taken = leastOf(variant, chips)
+    if (!taken || wasTried(pourJob(variant, chips))) {
+      return { reason: failureOf(pourJob(variant, chips)) ?? 'failed with fewer chips' }
     }
     return { atLeast: taken, reason: `not tried: fewer chips took ${seconds(taken)}` }
   }

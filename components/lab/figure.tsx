@@ -8,11 +8,11 @@ import { type Palette, paletteOf } from './draw'
 
 /**
  * A picture with time to scrub: `draw` paints frame `at` into a canvas of `width` × `height` px, as wide as the column.
- * It plays once when seen, unless the reader prefers reduced motion, and again from its start when it gets another `film`.
+ * It plays once when seen, unless the reader prefers reduced motion, and again from its start when it gets another `run`.
  */
 export function Figure({
   label,
-  film,
+  run,
   width,
   height,
   frames,
@@ -23,7 +23,7 @@ export function Figure({
   speed = 1,
 }: {
   label: string
-  film?: string
+  run?: string
   width: number
   height: number
   frames: number
@@ -41,11 +41,11 @@ export function Figure({
   const [near, setNear] = useState(false)
   const last = frames - 1
   const shown = Math.min(at, last)
-  const [filmBefore, setFilmBefore] = useState(film)
+  const [runBefore, setRunBefore] = useState(run)
   const paint = useRef(() => {})
 
-  if (film !== filmBefore) {
-    setFilmBefore(film)
+  if (run !== runBefore) {
+    setRunBefore(run)
     setAt(0)
     setPlaying(!stillMotion())
   }

@@ -20,16 +20,16 @@ function slide(shape: typeof box, friction: number, speed: number) {
 }
 
 /** The force of friction between two frames, in shares of the most it can be: −1 at the interval's one end, 1 at its other. */
-function share(film: State[], at: number, friction: number) {
+function share(recording: State[], at: number, friction: number) {
   if (at === 0) return -1
-  return ((film[at].vx - film[at - 1].vx) * 60) / (friction * gravity)
+  return ((recording[at].vx - recording[at - 1].vx) * 60) / (friction * gravity)
 }
 
 export function FrictionFigure() {
   const [friction, setFriction] = useState(0.4)
   const [speed, setSpeed] = useState(800)
-  const boxFilm = useLazy(() => slide(box, friction, speed), [friction, speed])
-  const discFilm = useLazy(() => slide(disc, friction, speed), [friction, speed])
+  const boxRun = useLazy(() => slide(box, friction, speed), [friction, speed])
+  const discRun = useLazy(() => slide(disc, friction, speed), [friction, speed])
   const distance = speed ** 2 / (2 * friction * gravity)
 
   function drawInterval(context: CanvasRenderingContext2D, y: number, value: number, palette: Palette) {
@@ -58,18 +58,18 @@ export function FrictionFigure() {
         const end = 60 + distance
         drawLine(context, [end, lane.height - 60], [end, lane.height], palette.muted, [4, 4])
         drawText(context, 'v²/(2μg)', end, lane.height - 68, palette.muted, 'center')
-        drawChip(context, box, boxFilm()[at], { fill: chipColours[0] })
-        drawInterval(context, 50, share(boxFilm(), at, friction), palette)
+        drawChip(context, box, boxRun()[at], { fill: chipColours[0] })
+        drawInterval(context, 50, share(boxRun(), at, friction), palette)
         context.translate(0, lane.height + 20)
         drawLine(context, [0, lane.height], [1000, lane.height], palette.border)
-        drawChip(context, disc, discFilm()[at], { fill: chipColours[2], mark: true })
-        drawInterval(context, 50, share(discFilm(), at, friction), palette)
+        drawChip(context, disc, discRun()[at], { fill: chipColours[2], mark: true })
+        drawInterval(context, 50, share(discRun(), at, friction), palette)
       }}
       readout={(at) => (
         <>
-          <Value of="Box: gone">{(boxFilm()[at].x - 60).toFixed(2)} px</Value>
+          <Value of="Box: gone">{(boxRun()[at].x - 60).toFixed(2)} px</Value>
           <Value of="of">{distance.toFixed(2)}</Value>
-          <Value of="Disc: speed">{discFilm()[at].vx.toFixed(1)} px/s</Value>
+          <Value of="Disc: speed">{discRun()[at].vx.toFixed(1)} px/s</Value>
           <Value of="rolls at ⅔ v =">{((speed * 2) / 3).toFixed(1)}</Value>
         </>
       )}

@@ -22,7 +22,7 @@ export function HardScenesFigure() {
   return (
     <Figure
       label={`${scene.title}, computed in this browser.`}
-      film={`${scene.name} ${seed}`}
+      run={`${scene.name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60)}

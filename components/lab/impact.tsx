@@ -25,7 +25,7 @@ const frames = 66
 export function ImpactFigure() {
   const [arm, setArm] = useState(70)
   const [bounce, setBounce] = useState(0.5)
-  const film = useLazy(
+  const recording = useLazy(
     () =>
       record(
         { ...conditions, bounce },
@@ -47,7 +47,7 @@ export function ImpactFigure() {
       frames={frames}
       speed={0.5}
       draw={(context, at, palette) => {
-        const [struck, striker] = film().frames[at]
+        const [struck, striker] = recording().frames[at]
         drawLine(context, [320, 0], [320, 460], palette.border)
         drawLine(context, [320 + arm, 0], [320 + arm, 460], palette.border, [4, 4])
         drawChip(context, struckShape, struck, { fill: chipColours[3], mark: true })
@@ -55,7 +55,7 @@ export function ImpactFigure() {
       }}
       readoutHeight="min-h-23 min-[22.5rem]:min-h-11 md:min-h-5"
       readout={(at) => {
-        const [struck] = film().frames[at]
+        const [struck] = recording().frames[at]
         const hit = Math.abs(struck.vy) > 0
         return (
           <>

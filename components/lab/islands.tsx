@@ -21,7 +21,7 @@ const late = { chip: { width: 92, height: 34, radius: 17, x: 130, y: -40, angle:
 const awake = (states: State[]) => states.filter((state) => !state.asleep).length
 
 export function IslandsFigure() {
-  const film = useLazy(() => record(stage, poured, (frames - 1) / 60, late), [])
+  const recording = useLazy(() => record(stage, poured, (frames - 1) / 60, late), [])
 
   return (
     <Figure
@@ -30,7 +30,7 @@ export function IslandsFigure() {
       height={stage.height + graphHeight}
       frames={frames}
       draw={(context, at, palette) => {
-        const { chips, frames: states } = film()
+        const { chips, frames: states } = recording()
         const islands = islandsOf(chips, states[at])
         states[at].forEach((state, i) => {
           drawChip(context, chips[i], state, {
@@ -54,8 +54,8 @@ export function IslandsFigure() {
       }}
       readoutHeight="min-h-11 sm:min-h-5"
       readout={(at) => {
-        const states = film().frames[at]
-        const islands = islandsOf(film().chips, states).filter((_, i) => !states[i].asleep)
+        const states = recording().frames[at]
+        const islands = islandsOf(recording().chips, states).filter((_, i) => !states[i].asleep)
         return (
           <>
             <Value of="Awake">

@@ -5,8 +5,8 @@ import { scenes } from '@/scenes'
 import { slowest } from '@/scenes/piles'
 import { chipColours, drawChip } from './draw'
 import { Figure } from './figure'
-import { filmOf } from './film'
 import { ScenePicker, usePick } from './scene-picker'
+import { trajectoryOf } from './trajectory'
 import { useLazy } from './use-lazy'
 
 /** Scenes of more chips are for the benchmark; here they would keep a phone busy for a minute. */
@@ -14,20 +14,20 @@ const shown = scenes.filter((scene) => scene.build(1).length <= 60)
 
 export function ScenesFigure() {
   const { picked, pick, scene, seed } = usePick(shown, 'pour-mixed-60')
-  const film = useLazy(() => filmOf(scene, seed), [scene, seed])
-  const measured = useLazy(() => scene.measure(film()), [scene, seed])
+  const trajectory = useLazy(() => trajectoryOf(scene, seed), [scene, seed])
+  const measured = useLazy(() => scene.measure(trajectory()), [scene, seed])
 
   return (
     <Figure
       label={`The scene “${scene.title}”, computed in this browser.`}
-      film={`${scene.name} ${seed}`}
+      run={`${scene.name} ${seed}`}
       width={scene.width}
       height={scene.height}
       frames={Math.round(scene.seconds * 60) + 1}
       draw={(context, at, palette) => {
-        const { chips } = film()
+        const { chips } = trajectory()
         chips.forEach((chip, i) => {
-          drawChip(context, chip, film().state(at, i), {
+          drawChip(context, chip, trajectory().state(at, i), {
             fill: chipColours[i % chipColours.length],
             stroke: palette.stage,
             mark: chip.width === chip.height,

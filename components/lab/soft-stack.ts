@@ -16,7 +16,7 @@ export function softStack(count: number, hertz: number, frames: number): number[
   const sunk = new Array<number>(count).fill(0)
   const speed = new Array<number>(count).fill(0)
   const impulse = new Array<number>(count).fill(0)
-  const film = [[...sunk]]
+  const recording = [[...sunk]]
 
   // Contact i lies under box i; below box 0 is the floor. Downward counts as positive.
   const below = (values: number[], i: number) => (i > 0 ? values[i - 1] : 0)
@@ -40,7 +40,7 @@ export function softStack(count: number, hertz: number, frames: number): number[
     }
   }
 
-  while (film.length < frames) {
+  while (recording.length < frames) {
     for (let k = 0; k < substeps; k++) {
       for (let i = 0; i < count; i++) speed[i] += gravity * h
       for (let i = 0; i < count; i++) push(i, impulse[i])
@@ -48,7 +48,7 @@ export function softStack(count: number, hertz: number, frames: number): number[
       for (let i = 0; i < count; i++) sunk[i] += h * speed[i]
       solve(false)
     }
-    film.push([...sunk])
+    recording.push([...sunk])
   }
-  return film
+  return recording
 }

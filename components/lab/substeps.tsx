@@ -37,9 +37,9 @@ function overlapping(states: State[]) {
 export function SubstepsFigure() {
   const id = useId()
   const [substeps, setSubsteps] = useState(6)
-  const film = useLazy(() => record({ ...stage, substeps }, chips, (frames - 1) / 60), [substeps])
+  const recording = useLazy(() => record({ ...stage, substeps }, chips, (frames - 1) / 60), [substeps])
   const overlaps = useLazy(
-    () => film().frames.map((states) => worstOverlap(chips, states, stage)),
+    () => recording().frames.map((states) => worstOverlap(chips, states, stage)),
     [substeps],
   )
   const worst = useLazy(() => Math.max(...overlaps()), [substeps])
@@ -52,7 +52,7 @@ export function SubstepsFigure() {
       frames={frames}
       speed={0.6}
       draw={(context, at, palette) => {
-        const states = film().frames[at]
+        const states = recording().frames[at]
         const bad = overlapping(states)
         states.forEach((state, i) => {
           drawChip(context, chips[i], state, {
@@ -86,7 +86,7 @@ export function SubstepsFigure() {
         <>
           <Value of="Worst overlap now">{Math.max(0, overlaps()[at]).toFixed(2)} px</Value>
           <Value of="in the whole run">{worst().toFixed(2)} px</Value>
-          <Value of="Iterations">{film().iterations.toLocaleString('en')}</Value>
+          <Value of="Iterations">{recording().iterations.toLocaleString('en')}</Value>
         </>
       )}
     >

@@ -73,22 +73,22 @@ function outlinesApart({ width, height, radius }: Shape, one: Pose, other: Pose)
 
 export function UprightFigure() {
   const [number, setNumber] = useState(1)
-  const film = useLazy(() => drop(number), [number])
+  const recording = useLazy(() => drop(number), [number])
   /** rad that each chip is turned by from its start. */
   const turns = useLazy(
     () =>
-      film()
+      recording()
         .at(-1)!
         .map(({ angle }, i) => uprightTurn(shapes[i], angle)),
-    [film],
+    [recording],
   )
   const planned = (at: number) =>
-    film()[at].map(({ x, y, angle }, i) => ({ x, y, angle: angle + turns()[i] }))
+    recording()[at].map(({ x, y, angle }, i) => ({ x, y, angle: angle + turns()[i] }))
 
   return (
     <Figure
       label="The same drop twice. Above, chips fall as they are released, and many words end upside down. Below, each chip starts turned by what the plan says, and every word ends the right way up. Dashed lines show where the plan expects each chip."
-      film={String(number)}
+      run={String(number)}
       width={stage.width}
       height={2 * stage.height}
       frames={frames}
@@ -111,12 +111,12 @@ export function UprightFigure() {
           drawText(context, title, 8, 8, palette.muted, 'left', 'top')
           context.restore()
         }
-        draw(film()[at], 0, 'as released', [])
+        draw(recording()[at], 0, 'as released', [])
         draw(planned(at), stage.height, 'planned', planned(frames - 1))
         drawLine(context, [0, stage.height], [stage.width, stage.height], palette.border)
       }}
       readout={(at) => {
-        const [fallen, turned] = [film()[at], planned(at)]
+        const [fallen, turned] = [recording()[at], planned(at)]
         const apart = fallen.map((pose, i) => outlinesApart(shapes[i], pose, turned[i]))
         return (
           <>

@@ -19,7 +19,7 @@ export const knownRows = (): SceneRows[] =>
         (row) => row.engine === ours && row.scene === name && Object.keys(row.setting).length === 0,
       )!
       const rows = measures.map(({ name, unit, target }, i) => {
-        // A film ends before what does not come to rest.
+        // The simulation ends before what does not come to rest.
         const late = unit === 's' && errors[i]! > seconds - 0.1 ? seconds : undefined
         const value = late ? Number.POSITIVE_INFINITY : (errors[i] ?? Number.POSITIVE_INFINITY)
         return { measure: name, value, unit, bound: target, late }

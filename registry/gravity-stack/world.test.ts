@@ -2,7 +2,7 @@ import { execFile } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import { beforeAll, describe, expect, it } from 'vitest'
-import { filmScene, median } from '../../bench/accuracy/trajectory'
+import { median, simulateScene } from '../../bench/accuracy/trajectory'
 import { ours } from '../../bench/engines/ours'
 import { exactScenes } from '../../scenes/exact'
 import { type Kind, pourChips, pourStage } from '../../scenes/piles'
@@ -21,7 +21,7 @@ async function node(args: string[]) {
 describe('what has one right answer', () => {
   for (const scene of exactScenes) {
     it(`${scene.title}, as the closed form says`, () => {
-      const errors = scene.measure(filmScene(ours, scene, {}).film)
+      const errors = scene.measure(simulateScene(ours, scene, {}).trajectory)
       for (const [i, { target }] of scene.measures.entries()) expect(errors[i]).toBeLessThanOrEqual(target!)
     })
   }
@@ -47,7 +47,7 @@ describe('what has one right answer', () => {
   it('more sub-steps bring it nearer to a topple', () => {
     const topple = exactScenes.find(({ name }) => name === 'topple')!
     const errors = [2, 8, 32].map((substeps) =>
-      Math.max(...topple.measure(filmScene(ours, topple, { substeps }).film)),
+      Math.max(...topple.measure(simulateScene(ours, topple, { substeps }).trajectory)),
     )
     expect(errors[1]).toBeLessThan(errors[0] / 2)
     expect(errors[2]).toBeLessThan(errors[1] / 2)
