@@ -3,7 +3,7 @@ import { defineConfig } from '@playwright/test'
 import { findBrowser } from './scripts/browser.mjs'
 import { out, siteUrl } from './site.config.mjs'
 
-/** A file that only this build has: a site of another clone, served at the same address, is not taken for this one. */
+/** A file that only this build has. It tells whether a server at the same address serves another clone. */
 const ofThisBuild = () =>
   readdirSync(out, { encoding: 'utf8', recursive: true }).find((path) => path.endsWith('/_buildManifest.js'))
 

@@ -3,10 +3,12 @@ import packageJson from './package.json' with { type: 'json' }
 /** The address in the files that are committed; a build names `siteUrl` in its place. */
 export const committedUrl = 'http://localhost:4000'
 
-/** Where the site will stand, without a slash at the end: `SITE_URL`, or what the host that builds it says, or the committed one. */
+/**
+ * The site's address without a slash at the end: `SITE_URL`, else what the host says, else the committed one.
+ */
 export const siteUrl = (process.env.SITE_URL || hostedAt(process.env) || committedUrl).replace(/\/+$/, '')
 
-/** Where a build is going to stand, by the variables of the host that runs it; previews stand at addresses of their own. */
+/** The address of a build by the variables of its host. Previews have addresses of their own. */
 export function hostedAt(env) {
   if (env.VERCEL) {
     const host = env.VERCEL_ENV === 'production' ? env.VERCEL_PROJECT_PRODUCTION_URL : env.VERCEL_URL
@@ -33,15 +35,16 @@ export const basePath = new URL(siteUrl).pathname.replace(/\/$/, '')
 /** A text of this repository with the address of this build for the committed one. */
 export const addressed = (text) => text.replaceAll(committedUrl, siteUrl)
 
-/** The folder that a build goes to. The tests name one of their own, which leaves what `npm run site` serves as it is. */
+/** The folder that a build goes to. Tests name their own, so that what `npm run site` serves stays. */
 export const out = process.env.SITE_OUT || 'out'
 
 /** The version people see in the component's first lines, in the registry and in the changelog. */
 export const { version } = packageJson
 
 /**
- * The repository on GitHub as owner/name, for people who add items from it: those of registry.json then name each other
- * there. Left empty, they name each other by addresses of the site, as they do in what a site serves in any case.
+ * The repository on GitHub as owner/name, for people who add items from it: those of registry.json then name
+ * each other there. Left empty, they name each other by addresses of the site, as they do in what a site
+ * serves in any case.
  */
 export const repository = ''
 
@@ -50,7 +53,9 @@ export const repositoryUrl = publicAddress(
   process.env.REPOSITORY_URL || (repository && `https://github.com/${repository}`),
 )
 
-/** An address of a repository without what it may carry beside: some hosts put the token they fetch it with into it. */
+/**
+ * The address of a repository without credentials: some hosts put the token into it that they fetch it with.
+ */
 export function publicAddress(address) {
   const web = address.replace(/^git@([^:]+):/, 'https://$1/')
   return web.replace(/^(https?:\/\/)[^/@]*@/, '$1').replace(/(\.git)?\/*$/, '')

@@ -1,6 +1,8 @@
 'use client'
 
-/** What stands in the place of a page that React gave up on. Without the site's styles: those may be what is missing. */
+/**
+ * Stands in the place of a page that React gave up on. It needs no styles of the site, which may be missing.
+ */
 export default function GlobalError() {
   return (
     <html lang="en">

@@ -48,7 +48,7 @@ export default function Layout({ children }: { children: ReactNode }) {
     // The script below sets the theme on <html> before React looks at it.
     <html lang="en" suppressHydrationWarning className={`${sans.variable} ${mono.variable}`}>
       <head>
-        {/* biome-ignore lint/security/noDangerouslySetInnerHtml: our own script, must run before the first paint */}
+        {/* biome-ignore lint/security/noDangerouslySetInnerHtml: our own, before the first paint */}
         <script dangerouslySetInnerHTML={{ __html: preferencesScript }} />
         {/* Pages are plain documents: a link that someone points at is fetched before the press. */}
         <script

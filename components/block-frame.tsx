@@ -4,8 +4,8 @@ import { type CSSProperties, useEffect, useRef } from 'react'
 import { at } from '@/lib/address'
 
 /**
- * A block in a frame of its own, so that its window is as wide as the frame. The frame is empty until it is about to be
- * seen: a page full of blocks costs no more than those that somebody looks at.
+ * A block in a frame of its own, so that its window is as wide as the frame. The frame is empty until it is
+ * about to be seen: a page full of blocks costs no more than those that somebody looks at.
  */
 export function BlockFrame({
   name,

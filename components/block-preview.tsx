@@ -12,7 +12,7 @@ const tabs = [
   { value: 'code', label: 'Code' },
 ]
 
-/** A block live, as wide as the page or as a phone, and its code. All share one box, which keeps its height. */
+/** A block live, as wide as the page or as a phone, and its code, all in one box that keeps its height. */
 export function BlockPreview({
   name,
   title,

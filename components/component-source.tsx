@@ -6,7 +6,7 @@ import { SourceText } from './source-text'
 
 const shownLines = 32
 
-/** The whole file that people copy: its first lines in the page, the rest fetched when someone asks for it. */
+/** The whole file that people copy. Its first lines are in the page; the rest is fetched on demand. */
 export function ComponentSource() {
   const source = componentSource()
   const lines = source.trimEnd().split('\n')

@@ -5,8 +5,8 @@ import { at } from '@/lib/address'
 import { CheckIcon, CopyIcon } from './icons'
 
 /**
- * Copies what stands at the address `from` of this site, or else the code in the same `.code` box.
- * The words beside the icon are there when `children` are. A `label` that says more than they do contains them.
+ * Copies what stands at the address `from` of this site, or else the code in the same `.code` box. The words
+ * beside the icon are there when `children` are. A `label` that says more than they do contains them.
  */
 export function CopyButton({
   from,

@@ -3,7 +3,10 @@
 import { type ComponentType, lazy, useEffect, useRef } from 'react'
 import { hydrateRoot } from 'react-dom/client'
 
-/** The files of registry/examples, each one of its own for the browser. A template for their names would list each of them twice in the script. */
+/**
+ * The files of registry/examples, each one of its own for the browser. A template for their names would list
+ * each of them twice in the script.
+ */
 const examples: Record<string, () => Promise<Record<string, ComponentType>>> = {
   'gravity-stack-actions-demo': () => import('@/registry/examples/gravity-stack-actions-demo'),
   'gravity-stack-avatars-demo': () => import('@/registry/examples/gravity-stack-avatars-demo'),
@@ -26,8 +29,8 @@ const onServer = typeof window === 'undefined'
 const rendered: Record<string, ComponentType> = {}
 
 /**
- * The example of that name; another `drop` mounts it anew. The page leaves the server's markup as it
- * is, and the example comes alive in a root of its own when it is about to be seen: until then it costs no script.
+ * The example of that name; another `drop` mounts it anew. The page leaves the server's markup as it is, and
+ * the example comes alive in a root of its own when it is about to be seen: until then it costs no script.
  */
 export function Demo({ name, drop }: { name: string; drop: number }) {
   const box = useRef<HTMLDivElement>(null)
@@ -61,6 +64,6 @@ export function Demo({ name, drop }: { name: string; drop: number }) {
       </div>
     )
   }
-  // biome-ignore lint/security/noDangerouslySetInnerHtml: what stands there from the server is kept, not replaced
+  // biome-ignore lint/security/noDangerouslySetInnerHtml: keeps the server's markup
   return <div ref={box} suppressHydrationWarning dangerouslySetInnerHTML={{ __html: '' }} />
 }

@@ -2,7 +2,7 @@ import type { ReactNode } from 'react'
 import { navigation } from '@/lib/docs'
 import { DocsNavigation } from './docs-navigation'
 
-/** A page of the docs beside their navigation. Not a layout of Next's: those don't know which page they hold. */
+/** A page of the docs beside their navigation. Layouts of Next don't know which page they hold. */
 export function DocsLayout({ path, children }: { path: string; children: ReactNode }) {
   return (
     <div className="mx-auto grid w-full max-w-[88rem] flex-1 grid-cols-[minmax(0,1fr)] px-4 sm:px-6 lg:grid-cols-[13rem_minmax(0,1fr)] lg:gap-12">

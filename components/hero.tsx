@@ -32,7 +32,10 @@ const chips: [words: string, shape: string][] = [
 const button =
   'rounded-full border px-3.5 py-1.5 text-muted-foreground text-sm transition-colors hover:bg-muted hover:text-foreground'
 
-/** The component as its own pitch: `children` stand before the pile, below it the code for what its buttons have done. */
+/**
+ * The component as its own pitch. `children` stand in front of the pile; below it is the code of its
+ * settings.
+ */
 export function Hero({ children }: { children: ReactNode }) {
   const actions = useRef<GravityStackActions>(null)
   const [action, setAction] = useState<HeroAction>()
@@ -73,7 +76,7 @@ export function Hero({ children }: { children: ReactNode }) {
     <div className="overflow-hidden rounded-3xl border bg-panel">
       <section className="relative isolate bg-stage">
         {children}
-        {/* In front of the words: a chip that falls past covers them for a moment, and never stands behind them. */}
+        {/* Chips are in front of the words: one that falls past covers them for a moment. */}
         <GravityStack
           actionsRef={actions}
           gravity={heavier ? extremes.gravity : undefined}
@@ -103,7 +106,7 @@ export function Hero({ children }: { children: ReactNode }) {
         >
           {(['drop', 'shake', paused ? 'resume' : 'pause'] as const).map((name, place) => (
             <button
-              // biome-ignore lint/suspicious/noArrayIndexKey: one button pauses and resumes, and keeps its focus
+              // biome-ignore lint/suspicious/noArrayIndexKey: pause and resume are one button
               key={place}
               type="button"
               onClick={() => {

@@ -11,8 +11,8 @@ const ways = [
 const words = { cli: 'With the CLI:', manual: 'By hand:', prompt: 'By a coding assistant:' }
 
 /**
- * Three ways to install, each an `InstallWay`; the choice is remembered. Once on a page. `v0` names an item that v0
- * can open.
+ * Three ways to install, each an `InstallWay`; the choice is remembered. Once on a page. `v0` names an item
+ * that v0 can open.
  */
 export function Install({ v0, children }: { v0?: string; children: ReactNode }) {
   return (

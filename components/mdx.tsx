@@ -110,7 +110,7 @@ const components: Record<string, unknown> = {
   ScenesTable,
 }
 
-/** Runs the function body that contentlayer compiles a page to. On the server only: no MDX reaches the browser. */
+/** Runs the function body that contentlayer compiles a page to, on the server: no MDX reaches the browser. */
 export function Mdx({ code }: { code: string }) {
   const scope = { React, ReactDOM, _jsx_runtime: runtime }
   const Content: ComponentType<{ components: unknown }> = new Function(...Object.keys(scope), code)(

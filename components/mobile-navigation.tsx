@@ -3,8 +3,9 @@
 import { type ReactNode, useRef } from 'react'
 
 /**
- * The docs' navigation on narrow screens: a native dialog, which keeps the focus and closes on Escape by itself.
- * `children` are links from the server, which doesn't know the page: it is marked when the menu opens.
+ * The docs' navigation on narrow screens: a native dialog, which keeps the focus and closes on Escape by
+ * itself. `children` are links from the server, which doesn't know the page: it is marked when the menu
+ * opens.
  */
 export function MobileNavigation({ icon, children }: { icon: ReactNode; children: ReactNode }) {
   const dialog = useRef<HTMLDialogElement>(null)
@@ -24,7 +25,7 @@ export function MobileNavigation({ icon, children }: { icon: ReactNode; children
       >
         {icon}
       </button>
-      {/* biome-ignore lint/a11y/useKeyWithClickEvents: a press beside the panel or on a link; Escape does it for the keyboard */}
+      {/* biome-ignore lint/a11y/useKeyWithClickEvents: Escape closes it by the keyboard */}
       <dialog
         ref={dialog}
         aria-label="Menu"

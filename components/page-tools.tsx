@@ -7,8 +7,9 @@ import { ChevronIcon } from './icons'
 const item = 'block rounded-md px-3 py-1.5 -outline-offset-2 hover:bg-muted hover:text-foreground'
 
 /**
- * What every page offers about itself: a copy as Markdown, other places to take it to, and the way to change it. The
- * menu is the browser's own popover, which opens without script, closes on Escape and gives the focus back.
+ * What every page offers about itself: a copy as Markdown, other places to take it to, and the way to change
+ * it. The menu is the browser's own popover, which opens without script, closes on Escape and gives the focus
+ * back.
  */
 export function PageTools({ twin, source, className }: { twin: string; source: string; className?: string }) {
   return (

@@ -10,7 +10,10 @@ const tabs = [
   { value: 'code', label: 'Code' },
 ]
 
-/** Preview and code share one grid cell, so the box keeps its height and the pile keeps its place behind the code. */
+/**
+ * Preview and code share one grid cell, so the box keeps its height and the pile keeps its place behind the
+ * code.
+ */
 export function PreviewTabs({ name, code, again }: { name: string; code: ReactNode; again: ReactNode }) {
   const id = useId()
   const [tab, setTab] = useState('preview')

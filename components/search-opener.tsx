@@ -7,9 +7,9 @@ const isField = (target: EventTarget) =>
   target instanceof Element && target.closest('input, textarea, select, [contenteditable]')
 
 /**
- * Makes the button among its children open the dialog among them, as ⌘K, Ctrl K and a slash do. They are the search as
- * it stands in the page's HTML, with a field to type into while the script is on its way. Nothing of the search is
- * fetched before it is opened; `failed` is said when it can't be.
+ * Makes the button among its children open the dialog among them, as ⌘K, Ctrl K and a slash do. They are the
+ * search as it stands in the page's HTML, with a field to type into while the script is on its way. Nothing
+ * of the search is fetched before it is opened; `failed` is said when it can't be.
  */
 export function SearchOpener({
   index,

@@ -16,8 +16,8 @@ const links = [
 ]
 
 /**
- * The layout doesn't know which page it holds, and a component that does would bring its script to every page. On a page
- * of the docs without a link of its own Docs is marked.
+ * The layout doesn't know which page it holds, and a component that does would bring its script to every
+ * page. On a page of the docs without a link of its own Docs is marked.
  */
 const markCurrent = `(() => {
   const links = [...document.currentScript.previousElementSibling.querySelectorAll('a')]

@@ -13,7 +13,9 @@ const looks = {
   quiet: ['gap-1', 'px-2 py-1 font-mono text-xs aria-selected:bg-muted'],
 }
 
-/** The row of a tabs widget: one tab stop, arrow keys move and select. Panels have the id `${id}-${value}`. */
+/**
+ * The row of a tabs widget: one tab stop, arrow keys move and select. Panels have the id `${id}-${value}`.
+ */
 export function TabList({
   id,
   label,

@@ -128,7 +128,7 @@ test('conditional children and fragments come and go one by one', async ({ stage
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
-/** Runs `change` in the page until the pile is at rest again: the farthest that any chip got from where it lay, px. */
+/** Runs `change` in the page until the pile rests again. Returns the farthest that any chip got away, px. */
 async function farthestWay(stage: StagePage, change: string) {
   await stage.probe((probe) => probe.states.splice(0))
   return stage.page.evaluate(async (change) => {
@@ -230,7 +230,8 @@ test('corners that a script squares in the chip’s own style alone count at onc
   await stage.reaches('running')
   await stage.reaches('resting')
   expect(await stage.overlap()).toBeLessThan(1)
-  // Neither the way to the new rest nor anything else that the stage itself writes has woken its observer again.
+  // Neither the way to the new rest nor anything else that the stage itself writes has woken its observer
+  // again.
   expect((await mutations()) - before).toBe(1)
   // The face of a chip may be another element by and by.
   await stage.chip('three').evaluate((chip) => {

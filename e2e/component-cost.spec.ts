@@ -157,12 +157,16 @@ test('bringing 60 chips to life asks for the size of the stage, and for the look
   await stage.open('pile', { chips: 60, stagger: 60000 })
   await stage.reaches('running')
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'resting')
-  // The two inner lengths of the stage, three computed styles (of the first chip as its release is planned and as it comes, of the second as its is planned), and in development a look
-  // for Tailwind's styles. React StrictMode mounts twice, and only the second mount comes to see.
+  // The two inner lengths of the stage, three computed styles (of the first chip as its release is planned
+  // and as it comes, of the second as its is planned), and in development a look for Tailwind's styles. React
+  // StrictMode mounts twice, and only the second mount comes to see.
   expect(await reads()).toBeLessThanOrEqual(6)
 })
 
-/** Counts how often the page is laid out from now on. The browser counts for a session that lasts, not for a new one. */
+/**
+ * Counts how often the page is laid out from now on. The session has to last: the browser counts for it
+ * alone.
+ */
 async function layoutsFromNow(page: Page) {
   const session = await page.context().newCDPSession(page)
   await session.send('Performance.enable')
@@ -270,7 +274,7 @@ test('as the stage comes into view and begins, no chip that waits is styled anew
   expect(Math.max(...styled)).toBeLessThan(30)
 })
 
-/** Nodes inside the stage that have a layer of their own, by the ids of the browser; the map follows every change. */
+/** Nodes of the stage that have a layer of their own, by the browser's ids. The map follows every change. */
 async function layersOf(page: Page) {
   const session = await page.context().newCDPSession(page)
   await session.send('DOM.enable')

@@ -5,7 +5,8 @@ import { findEngines } from '../scripts/browser.mjs'
 import { installProbe } from './fixtures/probe'
 import { growth, readBar, readOutside, readPile, scrolled } from './fixtures/stage'
 
-// A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign, and gets no page.
+// A Firefox as people have it, by WebDriver BiDi. Playwright asks one for media features that it can't feign,
+// and gets no page.
 
 const executablePath = findEngines().find(({ name }) => name === 'Firefox')?.path
 

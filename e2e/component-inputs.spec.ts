@@ -1,6 +1,8 @@
 import { expect, StagePage, test } from './fixtures/stage'
 
-/** A page with a stage for each value that nobody should give a prop: its name, and how a warning writes it. */
+/**
+ * Values that nobody should give a prop. Each has a stage on the page: its name, and how a warning writes it.
+ */
 async function open(stage: StagePage, prop: string) {
   await stage.open('values', { prop })
   const all = await stage.page.locator('[data-value]').all()

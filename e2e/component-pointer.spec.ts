@@ -2,9 +2,9 @@ import { takeFrames } from './fixtures/frames'
 import { expect, type StagePage, test } from './fixtures/stage'
 
 /**
- * Lets a pile fall and tosses its first chip inwards and up: px that it has gone past the place where it was let go,
- * after each frame until all lies still. The frames are to be taken; events have times of their own as well, since a
- * hand that is late throws nothing.
+ * Lets a pile fall and tosses its first chip inwards and up: px that it has gone past the place where it was
+ * let go, after each frame until all lies still. The frames are to be taken; events have times of their own
+ * as well, since a hand that is late throws nothing.
  */
 
 async function toss({ stage, chips, hertz }: { stage: StagePage; chips: number; hertz: number }) {

@@ -3,7 +3,9 @@ import type { Page } from '@playwright/test'
 import { expect, type StagePage, test } from './fixtures/stage'
 import { withhold } from './page'
 
-/** Every chip upright, unmoved, inside the stage; px between the two that are nearest, and below the lowest. */
+/**
+ * Expects every chip upright, unmoved and inside. Returns px between the nearest two, and below the lowest.
+ */
 async function readable(page: Page) {
   return page.locator('[data-slot=gravity-stack]').evaluate((root) => {
     const stage = root.getBoundingClientRect()

@@ -15,7 +15,8 @@ test('words too long for a stage of fractional width lie still in it, not wedged
   await stage.probe((probe) => probe.pass(3))
   await stage.reaches('resting')
   expect(await stage.outside()).toBeLessThan(0.05)
-  // Two chips that lean are each drawn to a tenth of a pixel: how exactly they lie apart is asked of the world.
+  // Two chips that lean are each drawn to a tenth of a pixel: how exactly they lie apart is asked of the
+  // world.
   expect(await stage.overlap()).toBeLessThan(0.25)
 })
 
@@ -90,7 +91,8 @@ test('a pill that begins with words and styles nobody sees falls as the pill it 
   const other = new StagePage(page, page.locator('[data-slot=gravity-stack]').nth(1))
   await other.reaches('resting')
   const [{ poses: plain }, { poses: wordy }] = await Promise.all([stage.pile(), other.pile()])
-  // What moves by less than a tenth of a pixel is not drawn again, so which frames fell into the last steps shows that much.
+  // What moves by less than a tenth of a pixel is not drawn again, so which frames fell into the last steps
+  // shows that much.
   const off = plain.map(({ x, y }, i) => Math.hypot(x - wordy[i].x, y - wordy[i].y))
   expect(Math.max(...off)).toBeLessThan(0.25)
 })

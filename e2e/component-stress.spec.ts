@@ -65,7 +65,7 @@ test.describe('whatever the display does', () => {
       const heights = drawn.map((transform) => Number(/translate\(.+?px, (.+?)px/.exec(transform)?.[1]))
       const falling = heights.filter((y, k) => k > rate / 20 && y < 600)
       expect(falling.length).toBeGreaterThan(rate / 5)
-      // Third differences of a parabola are none, whatever the rate; one chip drawn a step late would make tens of px.
+      // A parabola has no third differences, at any rate. A chip drawn one step late would show tens of px.
       for (let k = 3; k < falling.length; k++) {
         const [a, b, c, d] = falling.slice(k - 3, k + 1)
         expect(Math.abs(d - 3 * c + 3 * b - a)).toBeLessThan(1.5)

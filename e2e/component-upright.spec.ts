@@ -4,7 +4,10 @@ import { expect, type StagePage, test } from './fixtures/stage'
 import { keepWaits } from './fixtures/time'
 import { withhold } from './page'
 
-/** Words of a pile that are drawn upside down, and the most that a disc is off, degrees. A chip on its side is neither. */
+/**
+ * How many words are drawn upside down, and the most that a disc is off, degrees. A chip on its side is
+ * neither.
+ */
 async function fallen(stage: StagePage) {
   const { shapes, poses } = await stage.pile()
   const disc = shapes.map(({ width, height, radius }) => width === height && radius! >= width / 2)
@@ -52,8 +55,9 @@ async function countSlices(page: Page) {
 }
 
 /**
- * Lets the frames of a drop pass, 60 a second, with `meddle` called before each. Counts how often a chip that shows in one of two
- * frames is turned by more than a body turns between them, and how often one out of sight is. Runs in the page.
+ * Lets the frames of a drop pass, 60 a second, with `meddle` called before each. Counts how often a chip that
+ * shows in one of two frames is turned by more than a body turns between them, and how often one out of sight
+ * is. Runs in the page.
  */
 async function countFlips(meddle: string) {
   const root = document.querySelector<HTMLElement>('[data-slot=gravity-stack]')!

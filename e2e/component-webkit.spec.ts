@@ -10,7 +10,7 @@ import { installProbe } from './fixtures/probe'
 import { growth, readBar, readOutside, readPile, scrolled } from './fixtures/stage'
 import { freePort } from './free-port'
 
-// Safari's engine in WebKitGTK's small browser, by its own WebDriver: Playwright's WebKit is a build of its own.
+// WebKitGTK's small browser by its own WebDriver: Safari's engine. Playwright's WebKit is another build.
 
 const command = findEngines().find(({ name }) => name === 'WebKit')?.path
 

@@ -1,7 +1,10 @@
 import { expect, type Locator, type Page } from '@playwright/test'
 import { test } from './page'
 
-/** The shadows of what each chip shows, px down and to the right on the screen, and the angle of the chip, degrees. Runs in the page. */
+/**
+ * The shadows of what each chip shows, px down and to the right on the screen, and the angle of the chip,
+ * degrees. Runs in the page.
+ */
 function readLight(root: Element) {
   return [...root.querySelectorAll('[data-slot=gravity-stack-chip]')].map((chip) => {
     const turn = new DOMMatrix(getComputedStyle(chip).transform)
@@ -23,7 +26,8 @@ async function litFromAbove(root: Locator) {
   await expect(async () => {
     const chips = await root.evaluate(readLight)
     for (const { angle, shadows } of chips) {
-      // The lit edge above and the shadow below both stand down from where nothing is lit; the edge below stands up.
+      // The lit edge above and the shadow below both stand down from where nothing is lit; the edge below
+      // stands up.
       expect(shadows.length).toBeGreaterThan(2)
       // The angle is told in whole degrees: half of one moves the longest shadow, of 18 px, by 0.16 px.
       for (const { right } of shadows) expect(Math.abs(right), `at ${angle.toFixed()}°`).toBeLessThan(0.2)

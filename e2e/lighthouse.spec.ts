@@ -3,8 +3,9 @@ import lighthouse, { type Result } from 'lighthouse'
 import { findBrowser } from '../scripts/browser.mjs'
 import { freePort } from './free-port'
 
-// Lighthouse as it comes: a phone on a slow network, simulated. Its performance score hangs on how busy this machine
-// is, so it is printed; what decides it on an idle one is held here: bytes, requests that block, shifts.
+// Lighthouse as it comes: a phone on a slow network, simulated. Its performance score hangs on how busy this
+// machine is, so it is printed; what decides it on an idle one is held here: bytes, requests that block,
+// shifts.
 const pages = [
   { path: '/', kilobytes: 270 },
   { path: '/docs/gravity-stack', kilobytes: 290 },

@@ -8,8 +8,9 @@ export const pages = ['/', '/docs', '/blocks', '/playground', '/benchmarks', ...
 export const playgroundStage = '[data-slot=playground-stage]'
 
 /**
- * Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the page, down to its
- * last part. It begins as soon as some of its scripts are there, and a press before the others have come is lost.
+ * Pages ask for their script when they have been painted, which `load` doesn't wait for: until React has the
+ * page, down to its last part. It begins as soon as some of its scripts are there, and a press before the
+ * others have come is lost.
  */
 export const alive = (page: Page) =>
   page.waitForFunction(() =>
@@ -53,7 +54,7 @@ export const test = base.extend({
   },
 })
 
-/** Call before a page loads: how far what it shows has moved about since then, by the browser's own measure. */
+/** Call before a page loads. Returns how far its content has shifted since, by the browser's own measure. */
 export async function watchShifts(page: Page) {
   await page.addInitScript(() => {
     let shifted = 0

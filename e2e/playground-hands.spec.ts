@@ -12,8 +12,8 @@ test('a chip is dragged, under the overlay too; a still hand drops it, a moving 
   await expect(room.locator('canvas')).toBeVisible()
   const chip = room.locator('[data-chip]')
   /**
-   * Drags the chip up and aside, and lets it go when the hand has stood still for so many frames. What it returns says
-   * how far beyond the hand the chip's centre is, px.
+   * Drags the chip up and aside, and lets it go when the hand has stood still for so many frames. What it
+   * returns says how far beyond the hand the chip's centre is, px.
    */
   const carry = async (still: number) => {
     const from = (await chip.boundingBox())!
@@ -23,8 +23,8 @@ test('a chip is dragged, under the overlay too; a still hand drops it, a moving 
     await expect.poll(async () => (await chip.boundingBox())!.y).toBeLessThan(from.y - 60)
     const { x, width } = (await room.boundingBox())!
     const way = from.x < x + width / 2 ? 1 : -1
-    // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing, and a busy
-    // machine's is.
+    // Half a pixel a millisecond by the times of the events themselves: a hand that is late throws nothing,
+    // and a busy machine's is.
     const hand = await chip.evaluate(
       async (element, { x, y, way, still }) => {
         const start = performance.now()
@@ -87,7 +87,9 @@ test.describe('playground under a finger', () => {
 
   const scrolled = (page: Page) => page.evaluate(() => scrollY)
 
-  /** From here on the moment after which a finger holds never comes: a busy machine's swipe may take longer than that. */
+  /**
+   * From here on a resting finger never holds a chip: on a busy machine a swipe may take longer than that.
+   */
   const neverHold = (page: Page) =>
     page.evaluate((never) => {
       const { setTimeout } = window

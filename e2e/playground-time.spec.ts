@@ -13,7 +13,9 @@ test('the numbers say what the solver did in the last step', async ({ page }) =>
   for (const name of names) await expect(number(page, name)).toHaveText('0')
 })
 
-/** One chip in the air, on a paused stage. What it returns presses Step and says how far down the chip is then, px. */
+/**
+ * One chip in the air of a paused stage. The function that it returns presses Step and tells its height, px.
+ */
 async function falling(page: Page) {
   // Nothing falls before the first press on Step.
   await page.emulateMedia({ reducedMotion: 'reduce' })

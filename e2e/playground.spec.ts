@@ -4,7 +4,7 @@ import { painted, playgroundStage as stage, test } from './page'
 test('drops its chips, and all of them lie inside and still', async ({ page }) => {
   await page.goto('/playground')
   await expect(page.locator(stage)).toHaveAttribute('data-state', 'resting')
-  // How far each hull reaches past wall or floor, px: a rotated element's own box has corners that a pill has not.
+  // How far each outline reaches past wall or floor, px. The box of a turned element is larger than its pill.
   const outside = await page.locator(stage).evaluate((element) =>
     [...element.querySelectorAll<HTMLElement>('[data-chip]')].map((chip) => {
       const { a, b, e, f } = new DOMMatrix(getComputedStyle(chip).transform)

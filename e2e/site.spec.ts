@@ -56,7 +56,8 @@ for (const path of pages) {
       ] as const) {
         await page.emulateMedia({ colorScheme, reducedMotion })
         await expect(page.locator('html')).toHaveClass(colorScheme === 'dark' ? /dark/ : /^((?!dark).)*$/)
-        // A chip that falls past other words covers them for a moment, and a colour on its way is neither one's.
+        // A chip that falls past other words covers them for a moment, and a changing colour is neither of
+        // the two.
         await expect(page.locator('[data-slot="gravity-stack"][data-state="running"]')).toHaveCount(0)
         await page.waitForFunction(
           () => !document.getAnimations().some((animation) => animation instanceof CSSTransition),

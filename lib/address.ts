@@ -1,2 +1,2 @@
-/** The address of a page or file of this site, which is named as if the site stood at the root of its host. */
+/** The address of a page or file of this site. `path` is written as from the root of the host. */
 export const at = (path: string) => `${process.env.BASE_PATH ?? ''}${path}`

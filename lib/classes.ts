@@ -1,4 +1,4 @@
-/** Joins class names. The site's own parts have no conflicts to settle, so they need not bring `cn` to every page. */
+/** Joins class names. Classes of the site never conflict, so that its pages need not load `cn`. */
 export function classes(...names: (string | false | undefined)[]): string {
   return names.filter(Boolean).join(' ')
 }

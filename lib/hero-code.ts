@@ -17,7 +17,7 @@ const listOf = (name: string, items: string[]) =>
 
 const indented = (code: string) => code.replace(/^(?=.)/gm, '  ')
 
-/** A module for the stage on the home page: all that is set, and the button of the action that was done last. */
+/** A module for the stage on the home page: its settings, and the button of the action that was last used. */
 export function heroCode({ neutral, heavier, bouncier }: HeroSettings, action?: HeroAction): string {
   const imports = action
     ? `'use client'

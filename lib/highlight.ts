@@ -4,7 +4,9 @@ import { codeTheme } from './code-theme'
 
 const highlighter = createHighlighter({ themes: [codeTheme], langs: ['tsx', 'css'] })
 
-/** Code in, the HTML of a `<pre>` out. Runs at build time only. Classes, not styles: the page weighs half as much. */
+/**
+ * Turns code into the HTML of a `<pre>`, at build time. Classes instead of styles halve the page's weight.
+ */
 export async function highlight(code: string, lang: 'tsx' | 'css' = 'tsx'): Promise<string> {
   const html = (await highlighter).codeToHtml(code.trimEnd(), { lang, theme: codeTheme })
   return html

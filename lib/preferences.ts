@@ -1,6 +1,7 @@
 /**
- * Choices that outlive a visit: the theme, the package manager, the way to install. They stand on <html> as attributes, so
- * that CSS can show the right thing before React has loaded, and in localStorage under the same names.
+ * Choices that outlive a visit: the theme, the package manager, the way to install. They stand on <html> as
+ * attributes, so that CSS can show the right thing before React has loaded, and in localStorage under the
+ * same names.
  */
 export const choices = {
   'package-manager': ['npm', 'pnpm', 'yarn', 'bun'],
@@ -13,8 +14,8 @@ export type Choice = keyof typeof choices
 export const grounds = { light: '#fcfbf9', dark: '#0f0e0d' }
 
 /**
- * Runs in <head> before the first paint, and again when a page comes back as it was left or another tab has saved
- * something. Storage throws where cookies are blocked.
+ * Runs in <head> before the first paint, and again when a page comes back as it was left or another tab has
+ * saved something. Storage throws where cookies are blocked.
  */
 export const preferencesScript = `(() => {
   const root = document.documentElement

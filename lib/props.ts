@@ -5,8 +5,8 @@ import { componentFile, componentSource } from './source'
 type Prop = { name: string; type: string; range?: string; fallback?: string; description: string }
 
 /**
- * The rows of the props table, from the JSDoc of `GravityStackProps`. Throws, and so fails the build, when a prop has
- * no words or when its `@default` is not the one in the code.
+ * The rows of the props table, from the JSDoc of `GravityStackProps`. Throws, and so fails the build, when a
+ * prop has no words or when its `@default` is not the one in the code.
  */
 export function readProps(): Prop[] {
   const source = componentSource()

@@ -24,7 +24,7 @@ const wordsIn = (markdown: string) =>
       .trim(),
   )
 
-/** A page's Markdown in pieces: what stands before its first heading, and each heading with what stands below it. */
+/** A page's Markdown in pieces: the text before its first heading, and each heading with its text. */
 function sectionsOf(markdown: string) {
   const [before, ...parts] = markdown.split(/^(?=#{2,3} )/m)
   const headings = headingsOf(markdown)

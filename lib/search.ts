@@ -29,8 +29,8 @@ function placeOf(word: string, text: string): { at: number; begins: boolean } {
 }
 
 /**
- * How many of the words an entry has, and how well. A title counts more than the text below it, the beginning of a
- * word more than its inside, and all words side by side more than the same words apart.
+ * How many of the words an entry has, and how well. A title counts more than the text below it, the beginning
+ * of a word more than its inside, and all words side by side more than the same words apart.
  */
 function score({ kind, title, page, text }: Entry, words: string[]) {
   const phrase = words.join(' ')

@@ -1,6 +1,6 @@
 type Node = { tagName?: string; value?: string; properties?: object; children?: Node[] }
 
-/** Names each table of a page after the heading above it: they all take the focus, and several stand on a page. */
+/** Names each table of a page after the heading above it, as tables take the focus and there are several. */
 export function rehypeTableNames() {
   const words = (node: Node): string => node.value ?? node.children?.map(words).join('') ?? ''
   return (page: Node) => {

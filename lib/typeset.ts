@@ -1,4 +1,6 @@
-/** Words as a typesetter would set them: a curly apostrophe, and no line that ends in a quantity: before its unit, or round its equals sign. */
+/**
+ * Sets words as a typesetter would: curly apostrophes, and no line break before a unit or at an equals sign.
+ */
 export const typeset = (words: string) =>
   words
     .replace(/(?<=\w)'/g, '’')

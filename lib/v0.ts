@@ -19,8 +19,8 @@ const shown: Record<string, { path: string; source: () => string }> = {
 export const v0Names = Object.keys(shown)
 
 /**
- * An item as v0 takes it. It reads no stylesheet and no tokens of an item, and follows no names to others, so the
- * component stands in it, and a page that shows it.
+ * An item as v0 takes it. It reads no stylesheet and no tokens of an item, and follows no names to others, so
+ * the component stands in it, and a page that shows it.
  */
 export function v0Item(name: string) {
   const { path, source } = shown[name]

@@ -21,7 +21,7 @@ function support(shape: Shape, angle: number, nx: number, ny: number) {
   )
 }
 
-/** The same distance by search: the widest gap seen over all directions, negative where no direction shows a gap. */
+/** The same distance by search: the widest gap over all directions, negative where there is none. */
 function searchedDistance(a: Shape, poseA: Pose, b: Shape, poseB: Pose) {
   const gap = (angle: number) => {
     const nx = Math.cos(angle)

@@ -1,5 +1,5 @@
-// Exact signed distance between chips, and between a chip and the stage. Tests, benchmark and docs judge every
-// solver by this file, so it shares no code with any of them.
+// Exact signed distance between chips, and between a chip and the stage. Tests, benchmark and docs judge
+// every solver by this file, so it shares no code with any of them.
 
 /** A core rectangle swept by `radius`; `width` and `height` include the radius. Lengths in px. */
 export type Shape = { width: number; height: number; radius?: number }
@@ -49,7 +49,7 @@ function sortByDirection() {
   }
 }
 
-/** Signed distance from the point (px, py) to the polygon spanned by the half edges, centred on the origin. */
+/** Signed distance of the point (px, py) from the polygon around the origin that the half edges span. */
 function polygonDistance(px: number, py: number) {
   let vx = 0
   let vy = 0
@@ -88,8 +88,8 @@ function polygonDistance(px: number, py: number) {
 
 /**
  * Distance in px between the surfaces of two chips; when they overlap, minus the length of the shortest
- * translation that parts them. Exact to rounding: the distance from a point to the Minkowski difference of the
- * cores, less both radii.
+ * translation that parts them. Exact to rounding: the distance from a point to the Minkowski difference of
+ * the cores, less both radii.
  */
 export function chipDistance(a: Shape, poseA: Pose, b: Shape, poseB: Pose) {
   setHalfEdges(0, a, poseA.angle)
@@ -118,8 +118,8 @@ export function stageDistance(shape: Shape, pose: Pose, stage: Stage) {
 const slack = 1e-6
 
 /**
- * How far the deepest chip reaches into its neighbour, the floor or a wall, px; 0 when nothing overlaps. Only what is
- * deeper than `known` is looked for: `known` is given back when there is nothing.
+ * How far the deepest chip reaches into its neighbour, the floor or a wall, px; 0 when nothing overlaps. Only
+ * what is deeper than `known` is looked for: `known` is given back when there is nothing.
  */
 export function worstOverlap(shapes: Shape[], poses: Pose[], stage: Stage, known = 0) {
   const n = shapes.length

@@ -1,4 +1,4 @@
-// Random scenes that anybody could come by: what one is, what has to hold in it, and those that once went wrong.
+// Random scenes: what one is, what has to hold in it, and those that have failed once.
 import { halfExtent } from './exact-distance'
 import found from './found.json'
 import type { Chip, Conditions } from './scene'
@@ -64,8 +64,8 @@ const shapeOf = (shape: { width: number; height: number; radius?: number }) => {
 }
 
 /**
- * The scene as the world takes it, by what is documented: what is no number counts as left out (a size as 1 px), what is out
- * of range as the nearest that is in it, and nothing is faster than 3600 px/s or 1000 rad/s.
+ * The scene as the world takes it, by what is documented: what is no number counts as left out (a size as 1
+ * px), what is out of range as the nearest that is in it, and nothing is faster than 3600 px/s or 1000 rad/s.
  */
 export function sane(scene: FuzzScene): FuzzScene {
   const given = scene.conditions

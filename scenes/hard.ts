@@ -1,6 +1,6 @@
-// Scenes that break solvers: nothing may explode, sink, hang, leak out or stay awake. Run with sleep, as on a page.
-// A bound left out is one that the scene makes senseless: work done by a hand or a wall is no energy gained, and chips
-// that start in one another are lifted by what parts them.
+// Scenes that break solvers: nothing may explode, sink, hang, leak out or stay awake. Run with sleep, as on a
+// page. A bound left out is one that the scene makes senseless: work done by a hand or a wall is no energy
+// gained, and chips that start in one another are lifted by what parts them.
 import { halfExtent } from './exact-distance'
 import { pourChips } from './piles'
 import { type Chip, type Conditions, conditions } from './scene'
@@ -88,7 +88,7 @@ export type HardScene = {
   act?(frame: number, actor: Actor, seed: number): void
   /** s, the last disturbance: an act, or where the fall takes long the landing of the highest chip */
   calmFrom?: number | ((chips: Chip[]) => number)
-  /** s, from when 'overlap during' is read, where that of the fall is no matter; from the second frame if left out */
+  /** s, the start of 'overlap during'; the second frame if left out */
   overlapFrom?: number
   /** the chip whose sides are watched: what is on one may not get to the other through it */
   plate?: number
@@ -225,8 +225,8 @@ function corbels(floor: number): Chip[] {
 }
 
 /**
- * A box that slides over a level row of twelve, with joints closed, 3 and 10 px wide in turn from seed to seed, at 150 to 1,290 px/s. It sets
- * out with its leading corner 2 px before a joint, and stays on the row.
+ * A box that slides over a level row of twelve, with joints closed, 3 and 10 px wide in turn from seed to
+ * seed, at 150 to 1,290 px/s. It sets out with its leading corner 2 px before a joint, and stays on the row.
  */
 function seams(name: string, title: string, friction: number, radius: number): HardScene {
   return {

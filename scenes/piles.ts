@@ -74,8 +74,8 @@ export const kinds = ['pills', 'badges', 'mixed', 'discs', 'words'] as const
 export type Kind = (typeof kinds)[number]
 
 /**
- * One chip of a pour: a label pill 28 px high, a badge with rounded corners, a disc, a bare word, which is a box with
- * square corners, or one of many shapes.
+ * One chip of a pour: a label pill 28 px high, a badge with rounded corners, a disc, a bare word, which is a
+ * box with square corners, or one of many shapes.
  */
 function pourChip(kind: Kind, random: () => number): { width: number; height: number; radius: number } {
   const size = random()
@@ -99,7 +99,7 @@ export function pourStage(count: number) {
   return { width: Math.round(640 * scale), height: Math.round(340 * scale) }
 }
 
-/** Spread by the golden ratio over the width, each as low above the stage as leaves a gap to those before it. */
+/** Spreads chips over the width by the golden ratio, each as low above the stage as the others allow. */
 export function pourChips(kind: Kind, count: number, seed: number): Chip[] {
   const random = seeded(seed)
   const { width } = pourStage(count)

@@ -1,4 +1,4 @@
-// What physics says, in closed form or from ODEs integrated to 1e-10; y down, angles and spins clockwise on screen.
+// Exact answers in closed form or from ODEs integrated to 1e-10. y is down, angles and spins are clockwise.
 import { cornerRadius, type Shape } from './exact-distance'
 
 /** Mass and moment of inertia of a rectangle swept by its corner radius, for a density of mass per px². */
@@ -40,8 +40,8 @@ export function flight(v: number, g: number, c: number, t: number) {
 type Striker = { mass: number; inertia: number; rx: number; ry: number; vx: number; vy: number; spin: number }
 
 /**
- * A body strikes a fixed plane whose normal (nx, ny) points at it: Newton's restitution on the normal, Coulomb's
- * bound on the tangent, both met at once by the velocity after the impact.
+ * A body strikes a fixed plane whose normal (nx, ny) points at it: Newton's restitution on the normal,
+ * Coulomb's bound on the tangent, both met at once by the velocity after the impact.
  */
 export function strike(body: Striker, nx: number, ny: number, e: number, friction: number) {
   const { mass, inertia, rx, ry } = body
@@ -70,7 +70,9 @@ export function strike(body: Striker, nx: number, ny: number, e: number, frictio
   }
 }
 
-/** Where a bouncing disc is after `seconds` between a floor and two walls: flight and `strike`, event by event. */
+/**
+ * Where a disc that bounces between a floor and two walls is after `seconds`: flights and impacts in turn.
+ */
 export function bouncingDisc(
   start: { x: number; y: number; vx: number; vy: number; spin: number; radius: number },
   stage: { width: number; height: number },
@@ -109,8 +111,8 @@ export function bouncingDisc(
 }
 
 /**
- * One pill's round end strikes the flat side of another, both free, without friction: the first flies along the
- * normal without spin, so the impulse is (1 + e)v over the sum of what resists it.
+ * One pill's round end strikes the flat side of another, both free, without friction: the first flies along
+ * the normal without spin, so the impulse is (1 + e)v over the sum of what resists it.
  */
 export function pillsImpact(speed: number, arm: number, struck: Shape, striker: Shape, e: number) {
   const a = massOf(struck)
@@ -135,10 +137,10 @@ function rungeKutta(f: (angle: number, spin: number) => number, angle: number, s
 }
 
 /**
- * A pill that stands on its round end and topples, rolling on it without slip. θ is the lean from upright; the
- * end's centre moves by rθ, the pill's centre is d away from it, so that
- * M(θ)θ'' = mgd·sinθ + m·r·d·sinθ·θ'², M = m(r² + 2rd·cosθ + d²) + I.
- * `stepsPerSecond` sets the error: a run with half as many differs by less than 1e-10 px.
+ * A pill that stands on its round end and topples, rolling on it without slip. θ is the lean from upright;
+ * the end's centre moves by rθ, the pill's centre is d away from it, so that M(θ)θ'' = mgd·sinθ +
+ * m·r·d·sinθ·θ'², M = m(r² + 2rd·cosθ + d²) + I. `stepsPerSecond` sets the error: a run with half as many
+ * differs by less than 1e-10 px.
  */
 export function topple(pill: Shape, lean: number, gravity: number, seconds: number, stepsPerSecond = 48_000) {
   const r = cornerRadius(pill)

@@ -117,7 +117,10 @@ export class Trajectory {
     return worst
   }
 
-  /** Last moment, in seconds, any chip is faster than 7 px/s or 0.14 rad/s; the whole run if it never calms. */
+  /**
+   * The last moment, s, at which any chip is faster than 7 px/s or 0.14 rad/s; the whole run if it never
+   * calms.
+   */
   timeToRest() {
     const { data, chips } = this
     for (let at = data.length - numbersPerChip; at >= 0; at -= numbersPerChip) {
@@ -138,8 +141,8 @@ export class Trajectory {
   }
 
   /**
-   * Height of each bounce, px: the tops of the parabolas through the three frames round each highest point, so
-   * that neither the frame's phase nor an engine's notion of velocity matters.
+   * Height of each bounce, px: the tops of the parabolas through the three frames round each highest point,
+   * so that neither the frame's phase nor an engine's notion of velocity matters.
    */
   apexes(chip = 0) {
     const y = (k: number) => this.data[k * this.chips.length * numbersPerChip + chip * numbersPerChip + 1]

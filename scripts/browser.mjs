@@ -36,7 +36,7 @@ export function findBrowser() {
 }
 
 async function download() {
-  // Where there is no way to the internet it says so with a page of stack traces: our own last line is enough.
+  // Without a network it prints a page of stack traces. Our own last line is enough.
   const code = await run('playwright', ['install', 'chromium'], { stdio: ['ignore', 'inherit', 'ignore'] })
   if (code === 0 && !findBrowser()) await run('playwright', ['install-deps', 'chromium'])
 }

@@ -1,5 +1,5 @@
-// Builds the whole site, registry included: a folder of static files that any host can serve. What is committed stays
-// as it is, whatever address the build is for.
+// Builds the whole site, registry included: a folder of static files that any host can serve. What is
+// committed stays as it is, whatever address the build is for.
 import { readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { basePath, out } from '../site.config.mjs'

@@ -2,8 +2,8 @@ import { readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 
 /**
- * Next's `async` scripts share the line with the fonts, and on a quick line they are compiled and run before the first
- * paint, which waits for them. The pages of `folder` ask for them when their words can be read.
+ * Next's `async` scripts share the line with the fonts, and on a quick line they are compiled and run before
+ * the first paint, which waits for them. The pages of `folder` ask for them when their words can be read.
  */
 export function lateScripts(folder) {
   for (const file of readdirSync(folder, { recursive: true })) {
@@ -23,6 +23,7 @@ export function lateScripts(folder) {
   }
 }
 
-// Words wait for their font, so the first paint may be bare. A hidden tab paints nothing; the timer is for browsers that don't tell when they paint.
+// Words wait for their font, so the first paint may be bare. A hidden tab paints nothing. Some browsers don't
+// tell when they paint: for them there is the timer.
 const loader = (scripts) =>
   `{let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(seen=>seen.getEntriesByName("first-contentful-paint")[0]&&ask()).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`

@@ -1,4 +1,4 @@
-// Installs the dependencies when they are missing or out of step with package-lock.json. Needs nothing but Node.
+// Installs the dependencies when they are missing or differ from package-lock.json. Needs nothing but Node.
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { isMain, must, root } from './run.mjs'
@@ -11,7 +11,9 @@ const lockAt = async (path) => {
   }
 }
 
-/** The first package whose installed version isn't the locked one; other platforms' packages may be absent. */
+/**
+ * The first package whose installed version isn't the locked one. Packages of other platforms may be absent.
+ */
 async function firstDifference() {
   const locked = await lockAt('package-lock.json')
   const installed = await lockAt('node_modules/.package-lock.json')

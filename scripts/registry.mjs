@@ -1,6 +1,6 @@
-// Builds the registry from registry.json and the files it names: the folder r of items, and directory.json, which is
-// our entry for shadcn's directory of registries.
-//   node scripts/registry.mjs           renews registry.json and writes them into public, with the committed address
+// Builds the registry from registry.json and the files it names: the folder r of items, and directory.json,
+// which is our entry for shadcn's directory of registries.
+//   node scripts/registry.mjs           renews registry.json, writes into public with the committed address
 //   node scripts/registry.mjs FOLDER    writes them into that folder, with the address of this build
 //   node scripts/registry.mjs --check   fails when registry.json or public isn't what that would give
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
@@ -14,7 +14,7 @@ import { isMain, must, root } from './run.mjs'
 const index = join(root, 'registry.json')
 const served = join(root, 'public')
 
-/** The site's own elevation ladder as an item has it: tokens are `cssVars`, rules for anything but a theme are `css`. */
+/** The site's elevation ladder as a registry item: tokens are `cssVars`, other rules are `css`. */
 async function elevation() {
   const cssVars = { theme: {}, light: {}, dark: {} }
   const css = {}
@@ -49,7 +49,9 @@ function withDependencies({ items, ...rest }, form) {
   }
 }
 
-/** registry.json as it is to be committed for a repository: its address, its form of dependencies, the stylesheet's tokens. */
+/**
+ * registry.json as it is committed: with the address, the form of dependencies and the stylesheet's tokens.
+ */
 export async function freshIndex(source = repository) {
   const text = await readFile(index, 'utf8')
   const registry = JSON.parse(text.replaceAll(JSON.parse(text).homepage, committedUrl))
@@ -110,7 +112,7 @@ async function writeRegistry(output) {
   await writeFile(join(output, 'directory.json'), `${JSON.stringify(await directoryEntry(), null, 2)}\n`)
 }
 
-/** Writes a version of the registry into the folder of a build, where its items name each other as of that version. */
+/** Writes a version of the registry into a build's folder. Its items name each other at that version. */
 async function writeVersion(output, version, from) {
   const to = join(output, 'r', version)
   await mkdir(to, { recursive: true })
@@ -121,7 +123,7 @@ async function writeVersion(output, version, from) {
   }
 }
 
-/** Writes the registry into a folder with the address of this build: the newest, each version released, and this one. */
+/** Writes the registry with this build's address: the newest, each released version, and this version. */
 export async function buildRegistry(output) {
   await writeRegistry(output)
   for (const released of Object.keys(releases)) await writeVersion(output, released, folderOf(released))

@@ -1,5 +1,6 @@
-// Releases the version that package.json names: its registry files are kept in public/r/VERSION, where they stay as they
-// are. From then on a change to any of them needs a new version; scripts/registry.mjs --check says so.
+// Releases the version that package.json names: its registry files are kept in public/r/VERSION, where they
+// stay as they are. From then on a change to any of them needs a new version; scripts/registry.mjs --check
+// says so.
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { version } from '../site.config.mjs'

@@ -6,8 +6,9 @@ import { root } from './run.mjs'
 export const releasesFile = join(root, 'registry/releases.json')
 
 /**
- * The versions that were released, each with its day and the SHA-256 of its files. Those stand in public/r/VERSION, as they
- * were in public/r on that day, and never change again: people pin their project to them.
+ * The versions that were released, each with its day and the SHA-256 of its files. Those stand in
+ * public/r/VERSION, as they were in public/r on that day, and never change again: people pin their project to
+ * them.
  */
 export const releases = JSON.parse(readFileSync(releasesFile, 'utf8'))
 

@@ -22,8 +22,8 @@ function headerRules(file) {
 }
 
 /**
- * Serves a built folder from a port, 0 for any free one, below `base`: the path of the address that it was built for.
- * What is built into the folder meanwhile is served too.
+ * Serves a built folder from a port, 0 for any free one, below `base`: the path of the address that it was
+ * built for. What is built into the folder meanwhile is served too.
  */
 export function serve(folder, port, base = '') {
   const compress = compression()

@@ -82,8 +82,8 @@ await tests(
   { CI: '1' },
 )
 
-// A site of the tests' own, in a folder and on a port that no other uses: one that is served meanwhile stays as it is.
-// The port is held from before the build, which writes it into the pages.
+// A site of the tests' own, in a folder and on a port that no other uses: one that is served meanwhile stays
+// as it is. The port is held from before the build, which writes it into the pages.
 const folder = join(root, 'out-test')
 let server
 await step('The site builds', async () => {

@@ -14,14 +14,15 @@ const onServer =
 const box = 'aspect-[380/270] [content-visibility:auto] print:[content-visibility:visible]'
 
 /**
- * The plot of a scene, or of the costs by number of chips. Drawn on the server alone: the page would bring each plot
- * twice, as markup and as what React makes that markup from. In the browser React keeps what stands there.
+ * The plot of a scene, or of the costs by number of chips. It is drawn on the server alone, or the page would
+ * bring each plot twice: as markup, and as what React makes the markup from. In the browser React keeps the
+ * markup that is there.
  */
 export function Drawn({ scene, measure = 0 }: { scene?: string; measure?: number }) {
   if (onServer) {
     const { ScenePlot, SizePlot } = onServer
     return <div className={box}>{scene ? <ScenePlot scene={scene} measure={measure} /> : <SizePlot />}</div>
   }
-  // biome-ignore lint/security/noDangerouslySetInnerHtml: what stands there from the server is kept, not replaced
+  // biome-ignore lint/security/noDangerouslySetInnerHtml: keeps the server's markup
   return <div className={box} suppressHydrationWarning dangerouslySetInnerHTML={{ __html: '' }} />
 }

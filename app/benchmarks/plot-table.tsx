@@ -16,7 +16,10 @@ async function fetchFigures(): Promise<Record<string, FigureRow[]>> {
   return response.json()
 }
 
-/** What a plot shows, in figures. They come when the first table is opened: thirty plots have two thousand rows. */
+/**
+ * The figures of a plot. They are fetched when the first table is opened: thirty plots have two thousand
+ * rows.
+ */
 export function PlotTable({ name, label, unit }: { name: string; label: string; unit: string }) {
   const [rows, setRows] = useState<FigureRow[] | 'failed'>()
 

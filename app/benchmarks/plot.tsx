@@ -86,8 +86,8 @@ function ticks([low, high]: [number, number], most: number) {
 }
 
 /**
- * Both axes logarithmic, a mark a setting; lower and further left is better. An engine's line joins the settings that
- * none of its own beats. Values below `floor` are drawn on it: they are rounding. The table beside it has the figures.
+ * Both axes are logarithmic; lower and further left is better. Each mark is a setting. An engine's line joins
+ * the settings that no other of its own beats. Values below `floor` are rounding, so they are drawn on it.
  */
 export function Plot({
   title,

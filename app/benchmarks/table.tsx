@@ -1,8 +1,8 @@
 import type { ReactNode } from 'react'
 
 /**
- * A table that scrolls by itself when the page is narrower. The first cell of a row names it; `numbers` are the
- * columns whose figures stand one below the other.
+ * A table that scrolls by itself when the page is narrower. The first cell of a row names it; `numbers` are
+ * the columns whose figures stand one below the other.
  */
 export function Table({
   label,

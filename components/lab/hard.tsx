@@ -8,7 +8,7 @@ import { Figure } from './figure'
 import { ScenePicker, usePick } from './scene-picker'
 import { useLazy } from './use-lazy'
 
-/** The scenes that break solvers, played by the component's solver in this browser, each figure beside its bound. */
+/** The hard scenes, played by the component's solver in this browser, with each figure beside its bound. */
 export function HardScenesFigure() {
   const { picked, pick, scene, seed } = usePick(hardScenes, 'dragged-through-everything')
   const run = useLazy(() => {

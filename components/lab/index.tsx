@@ -2,7 +2,7 @@
 
 import { type ComponentType, lazy } from 'react'
 
-// A page's figures are one file for the browser, which other pages don't bring. Every page carries its 404 with it.
+// A page's figures are one file for the browser, which other pages don't load. Every page loads its 404 page.
 const files = {
   ideas: async () => (await import('./ideas')).ideas,
   lost: async () => (await import('../lost-words')).lost,

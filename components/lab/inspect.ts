@@ -22,7 +22,7 @@ type Touch = {
   /** px of the stage. */
   x: number
   y: number
-  /** Mean force on the chip over the last step, in units of density · px³/s²: the normal's and friction's together. */
+  /** Mean force on the chip over the last step, normal and friction together, in density · px³/s². */
   forceX: number
   forceY: number
 }

@@ -3,7 +3,10 @@ import { chipDistance, type Pose, type Shape } from '@/scenes/exact-distance'
 /** px, gap below which two chips count as touching here. */
 const touch = 0.2
 
-/** For every chip the lowest number among those it touches, at any remove: chips with one number are an island. */
+/**
+ * Numbers every chip by the lowest chip that it touches directly or through others: equal numbers are an
+ * island.
+ */
 export function islandsOf(shapes: Shape[], poses: Pose[]): number[] {
   const root = poses.map((_, i) => i)
   const find = (i: number): number => (root[i] === i ? i : find(root[i]))

@@ -66,7 +66,10 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       }
       world.step(frame)
     },
-    /** Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether it is far enough ahead. */
+    /**
+     * Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether
+     * it is far enough ahead.
+     */
     plan() {
       const { width, gravity } = world.scene
       const done = lookAhead.advance({ world, chips }, coming, width, gravity)
@@ -77,7 +80,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       }
       return done
     },
-    /** Of a body: rad that what is drawn of it is turned by, and the angle at which its words are expected to lie. */
+    /** Of a body: rad that it is drawn turned by, and the angle at which its words are expected to lie. */
     turned(id: number) {
       const { turn } = chips[id]
       const expected = lookAhead.expectedAngle(chips[id])

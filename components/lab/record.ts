@@ -3,7 +3,7 @@ import { type Chip, frame } from '@/scenes/scene'
 
 export type State = Reading
 
-/** A run of the solver to be scrubbed in both directions: the state of every chip, frame by frame from the start. */
+/** A run of the solver that can be scrubbed: the state of every chip, frame by frame from the start. */
 type Recording = {
   chips: Chip[]
   frames: State[][]
@@ -11,7 +11,7 @@ type Recording = {
   iterations: number
 }
 
-/** Runs the component's own solver over `chips` and keeps every frame; `late` joins them in the air at its frame. */
+/** Runs the component's solver over `chips` and keeps every frame. `late` joins them at its frame. */
 export function record(
   options: WorldOptions,
   chips: Chip[],

@@ -3,7 +3,10 @@ import { useEffect, useId, useState } from 'react'
 type Named = { name: string; title: string; seeds: number }
 type Picked<Scene> = { scene: Scene; seed: number }
 
-/** The scene that is picked, at first the one called `first`, and the one to play, which follows once the choice is seen: the page may be busy with it for seconds. */
+/**
+ * The scene that is picked, at first the one called `first`, and the one to play, which follows once the
+ * choice is seen: the page may be busy with it for seconds.
+ */
 export function usePick<Scene extends Named>(scenes: readonly Scene[], first: string) {
   const [picked, pick] = useState<Picked<Scene>>(() => ({
     scene: scenes.find(({ name }) => name === first)!,

@@ -5,8 +5,9 @@ const h = 1 / 60 / substeps
 const dampingRatio = 10
 
 /**
- * A column of `count` equal boxes on soft contacts, in one dimension: each contact is a stiff, well damped spring with
- * `hertz` of its own. Returns how far every box has sunk, px, frame by frame, the lowest box first.
+ * A column of `count` equal boxes on soft contacts, in one dimension: each contact is a stiff, well damped
+ * spring with `hertz` of its own. Returns how far every box has sunk, px, frame by frame, the lowest box
+ * first.
  */
 export function softStack(count: number, hertz: number, frames: number): number[][] {
   const omega = 2 * Math.PI * hertz

@@ -36,7 +36,7 @@ const shapes = chips.map(([, shape]) => ({ ...shape, radius: cornerRadius(shape)
 const stage = { width: 480, height: 170 }
 const frames = 301
 
-/** The component's drop of these chips by its number: frame by frame the poses of those that have been released. */
+/** The component's drop of that number: frame by frame the poses of the chips that have been released. */
 function drop(number: number) {
   // The first drops leave only a few words upside down.
   const seed = number + 4

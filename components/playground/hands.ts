@@ -2,7 +2,7 @@ import type { PointerEvent } from 'react'
 import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/stage/pointers'
 import type { Pile } from '../lab/pile'
 
-/** A pointer that is down on a chip: where it is, in px and s of the stage. It holds the chip once there is a grab. */
+/** A pointer that is down on a chip, in px and s of the stage. It holds the chip once there is a grab. */
 type Press = {
   down: { x: number; y: number }
   at: [x: number, y: number, seconds: number]

@@ -28,8 +28,8 @@ function drawMark(
 }
 
 /**
- * Draws over the chips what the solver knows of them: who sleeps, who touches whom, and how hard; and beside how a moving chip
- * is turned now, how the look-ahead expects it to lie.
+ * Draws over the chips what the solver knows of them: who sleeps, who touches whom, and how hard; and beside
+ * how a moving chip is turned now, how the look-ahead expects it to lie.
  */
 export function drawOverlay(
   canvas: HTMLCanvasElement,

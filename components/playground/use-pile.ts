@@ -83,7 +83,7 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
   }
 
   // A new pile when its chips or their order change, or when it is dropped again.
-  // biome-ignore lint/correctness/useExhaustiveDependencies: gravity, bounce and friction change in place, below
+  // biome-ignore lint/correctness/useExhaustiveDependencies: these props change in place, below
   useLayoutEffect(() => {
     if (chips.length === 0) return
     const element = stage.current!

@@ -1,5 +1,5 @@
-// Loaded into the CLI by a test: what it asks of GitHub's file server is answered from the repository in the folder
-// REPOSITORY, and what it asks of shadcn's own site for a preset, by an empty one.
+// Loaded into the CLI by a test: what it asks of GitHub's file server is answered from the repository in the
+// folder REPOSITORY, and what it asks of shadcn's own site for a preset, by an empty one.
 import { execFileSync } from 'node:child_process'
 
 const online = globalThis.fetch

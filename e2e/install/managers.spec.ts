@@ -30,8 +30,8 @@ for (const { name, version, lockfile } of managers) {
   })
 }
 
-// Yarn asks the registry for every platform's build of a package. A mirror that lacks some stops it at Vite's and
-// Tailwind's, so this project has neither, and no browser to show it in.
+// Yarn asks the registry for every platform's build of a package. A mirror that lacks some stops it at Vite's
+// and Tailwind's, so this project has neither, and no browser to show it in.
 test("in a project of yarn's the CLI adds the packages with yarn, and all of it typechecks", async ({
   make,
 }) => {

@@ -102,7 +102,7 @@ export class Project {
   /** The real shadcn CLI, at the version this repository pins. */
   shadcn = (...args: string[]) => this.run(join(root, 'node_modules/.bin/shadcn'), args)
 
-  /** Starts a server of the project's on a free port, and gives its address and a way to end it before the test does. */
+  /** Starts a server of the project on a free port. Returns its address and a way to end it early. */
   async serve(command: string, args: (port: number) => string[]) {
     const port = await freePort()
     const child = spawn(this.path('node_modules/.bin', command), args(port), {
@@ -129,7 +129,9 @@ export class Project {
   }
 }
 
-/** `make(name)` gives an empty folder to start a project in; it goes when the test has passed, its servers in any case. */
+/**
+ * `make(name)` gives an empty folder for a project. A test that passes removes it; servers end in any case.
+ */
 export const test = base.extend<{ make: (name: string) => Promise<Project> }>({
   // biome-ignore lint/correctness/noEmptyPattern: Playwright reads a fixture's needs from this pattern
   make: async ({}, use, info) => {
@@ -185,7 +187,7 @@ export async function docsCode(page: string, { title, heading }: { title?: strin
 
 type Starter = { template?: string; starter?: string[]; install?: string[]; tailwind?: boolean }
 
-/** A project fresh from Vite's own starter, with Tailwind and the `@/` alias set up as the Setup page says. */
+/** A project from Vite's own starter, with Tailwind and the `@/` alias set up as the Setup page says. */
 export async function viteProject(project: Project, options: Starter = {}) {
   const { template = 'react-ts', starter = [], install = ['npm', 'install'], tailwind = true } = options
   await project.run(tool('create-vite'), ['.', '--template', template, ...starter, '--no-interactive'])
@@ -237,7 +239,7 @@ export default function RootLayout({ children }: { children: React.ReactNode }) 
 
 const box = '[data-slot="gravity-stack"]'
 
-/** On the consumer's own page: the pile falls and rests inside its stage, a chip is dragged, and all rests again. */
+/** On a consumer's page: the pile falls and rests in its stage, a chip is dragged, and all rests again. */
 export async function expectPile(page: Page, url: string) {
   const errors: string[] = []
   page.on('pageerror', (error) => errors.push(error.message))
@@ -281,7 +283,7 @@ const boxOf = (chip: Chips) =>
     return { left, right, top, bottom }
   })
 
-/** The box round what is drawn of a chip that may be turned: a rectangle's own corners reach farther than round ones. */
+/** The box around what is drawn of a turned chip: a rectangle's corners reach farther than round ones. */
 const outlineOf = (chip: Chips) =>
   chip.evaluate((element) => {
     const box = element.getBoundingClientRect()

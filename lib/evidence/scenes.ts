@@ -10,7 +10,10 @@ import { results } from './results'
 export type Row = { measure: string; value: number; unit: string; bound?: number; late?: number }
 export type SceneRows = { title: string; rows: Row[] }
 
-/** The scenes whose answer is known, as the benchmark has measured them: the worst of a pour's seeds, or their median, as the target asks. */
+/**
+ * Scenes with a known answer, as the benchmark measured them. Of a pour's seeds the target asks for the worst
+ * or the median.
+ */
 export const knownRows = (): SceneRows[] =>
   scenes
     .filter((scene) => scene.build(1).length <= 60)
@@ -53,7 +56,9 @@ export function cellsOf({ value, unit, bound, late }: Row) {
 /** Misses in 100,000 scenes, from a run that takes too long to repeat with each change. */
 const longRun: Partial<Record<string, number>> = { asleep: 6, recovery: 2, hanging: 1 }
 
-/** What holds in random scenes: of how many of the first 2,000, which each change plays, it is asked, and in how many of them, and of 100,000, it does not. */
+/**
+ * Rows of the checks of random scenes: what has to hold, misses of the first 2,000 scenes, and of 100,000.
+ */
 export function fuzzRows() {
   const asked: Partial<Record<string, number>> = fuzz.asked
   const misses: Partial<Record<string, number>> = fuzz.misses

@@ -14,7 +14,7 @@ const topics = [
   'Bad puns',
 ]
 
-/** A form whose checkboxes lie in a pile: Tab goes from one to the next, Space checks it, and so does a press. */
+/** A form whose checkboxes lie in a pile. Tab goes from one to the next; Space or a press checks it. */
 export function GravityNewsletter() {
   const [thanks, setThanks] = useState('')
 

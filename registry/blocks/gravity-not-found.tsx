@@ -3,7 +3,10 @@ import { GravityStack } from '@/components/ui/gravity-stack'
 const digits = ['4', '0', '4']
 const words = ['This', 'page', 'fell', 'off', 'the', 'shelf']
 
-/** A page for addresses that lead nowhere. Put your own links in; the pile is decoration, and reads as one sentence. */
+/**
+ * A page for addresses that lead nowhere. Put your own links in. The pile is decoration and reads as one
+ * sentence.
+ */
 export function GravityNotFound() {
   return (
     <main className="relative isolate flex min-h-[36rem] flex-col bg-white text-neutral-950 dark:bg-neutral-950 dark:text-neutral-50">

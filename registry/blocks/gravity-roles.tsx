@@ -11,7 +11,9 @@ const roles: [role: string, place: string, colours: string][] = [
 
 const href = (role: string) => `/careers/${role.toLowerCase().replaceAll(' ', '-')}`
 
-/** Jobs as cards to rummage in: a press follows the link, a drag tosses the card. Below, the same as a list. */
+/**
+ * Jobs as cards to rummage in: a press follows the link, a drag tosses the card. A list below has them all.
+ */
 export function GravityRoles() {
   return (
     <section

@@ -14,7 +14,7 @@ const tints = {
 
 const groups = Object.entries(skills) as [keyof typeof skills, string[]][]
 
-/** What somebody can do, for a portfolio. Words in a pile lie at an angle, so the list beside it says them straight. */
+/** Skills, for a portfolio. Words in a pile lie at an angle, so the list beside it shows them level. */
 export function GravitySkills() {
   return (
     <section

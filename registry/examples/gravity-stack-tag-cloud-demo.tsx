@@ -15,7 +15,10 @@ const tags = [
   'types',
 ]
 
-/** Added children drop onto the pile; removed ones vanish and what lay on them falls. The others stay where they are. */
+/**
+ * Added children drop onto the pile. Removed ones vanish, and what lay on them falls. The others stay in
+ * place.
+ */
 export function GravityStackTagCloudDemo() {
   const [chosen, setChosen] = useState(tags.slice(0, 6))
 
