@@ -1,4 +1,4 @@
-// How far a pile is from obeying the laws of contact, whatever engine moved it: no engine's own impulses are asked.
+// How far a pile is from the laws of contact, in any engine: the engine's own impulses are not used.
 import { chipDistance, cornerRadius, halfExtent, type Pose, type Shape } from './exact-distance'
 import { massOf } from './references'
 import { frame, type Trajectory } from './scene'
@@ -36,7 +36,8 @@ function cornersAgainst(
   const hy = shape.height / 2 - rb
   const c = Math.cos(pose.angle)
   const s = Math.sin(pose.angle)
-  // The side of b by which the two are least in each other: a corner of a that is inside the core goes out through that.
+  // The side of b by which the two are least in each other: a corner of a that is inside the core goes out
+  // through that.
   const [ax, ay] = halfExtent(trajectory.chips[a], poses[a].angle - pose.angle)
   const x = c * (poses[a].x - pose.x) + s * (poses[a].y - pose.y)
   const y = c * (poses[a].y - pose.y) - s * (poses[a].x - pose.x)
@@ -94,10 +95,10 @@ function contactsOf(trajectory: Trajectory, poses: Pose[]): Contact[] {
 }
 
 /**
- * Residual of the Signorini–Coulomb problem over frame `k`, in weights of all chips: first the impulses inside the
- * friction cones that come closest to explaining the change of momentum, then what they leave unexplained together
- * with ‖(λₙ − max(0, λₙ − ρuₙ), λₜ − clamp(λₜ − ρuₜ, ±μλₙ))‖ at the velocities u the frame ended with.
- * 0 is a pile at rest in balance; 1 is a weight that nothing carries.
+ * Residual of the Signorini–Coulomb problem over frame `k`, in weights of all chips: first the impulses
+ * inside the friction cones that come closest to explaining the change of momentum, then what they leave
+ * unexplained together with ‖(λₙ − max(0, λₙ − ρuₙ), λₜ − clamp(λₜ − ρuₜ, ±μλₙ))‖ at the velocities u the
+ * frame ended with. 0 is a pile at rest in balance; 1 is a weight that nothing carries.
  */
 export function contactResidual(trajectory: Trajectory, k: number, sweeps = 4000) {
   const { chips, scene } = trajectory
@@ -106,7 +107,8 @@ export function contactResidual(trajectory: Trajectory, k: number, sweeps = 4000
   const contacts = contactsOf(trajectory, poses)
   const bodies = chips.map(massOf)
   const n = chips.length
-  // The change of velocity still to be explained; impulses take their share out of it. One more row is the stage.
+  // The change of velocity still to be explained; impulses take their share out of it. One more row is the
+  // stage.
   const left = new Float64Array(3 * (n + 1))
   const now = new Float64Array(3 * (n + 1))
   for (let i = 0; i < n; i++) {

@@ -48,7 +48,8 @@ const headings = {
 }
 
 /**
- * For projects with noUncheckedIndexedAccess, where TypeScript takes each read of an array for possibly undefined.
+ * For projects with noUncheckedIndexedAccess, where TypeScript takes each read of an array for possibly
+ * undefined.
  */
 const trust = `// The solver reads from its arrays only what it wrote there, so no read of them is undefined.
 type Trusted<T> = T & { [index: number]: ReturnType<typeof JSON.parse> }

@@ -84,7 +84,8 @@ export const orderTable = {
       )
       const [first, last] = [errors[1], errors[errors.length - 1]]
       const order = Math.log2(first / last) / Math.log2(fixedSteps[fixedSteps.length - 1] / fixedSteps[1])
-      // Neither rounding, nor what another bound than the sub-step's decides, nor what was not simulated at all of them has an order.
+      // Three kinds of rows have no order: rounding errors, errors that do not depend on the sub-step, and
+      // settings that were not simulated.
       if (!measure.ranked || !(first > 1e-6) || measure.unit === 'weights' || !(order >= 0.5)) return []
       const title = scene.measures.length > 1 ? `${scene.title}: ${measure.name}` : scene.title
       return [[title, ...errors.map((error) => `${figure(error)}\u00a0${measure.unit}`), order.toFixed(1)]]

@@ -7,8 +7,9 @@ import { stillMotion } from '@/lib/still-motion'
 import { type Palette, paletteOf } from './draw'
 
 /**
- * A picture with time to scrub: `draw` paints frame `at` into a canvas of `width` × `height` px, as wide as the column.
- * It plays once when seen, unless the reader prefers reduced motion, and again from its start when it gets another `run`.
+ * A picture with time to scrub: `draw` paints frame `at` into a canvas of `width` × `height` px, as wide as
+ * the column. It plays once when seen, unless the reader prefers reduced motion, and again from its start
+ * when it gets another `run`.
  */
 export function Figure({
   label,

@@ -19,7 +19,10 @@ function slide(shape: typeof box, friction: number, speed: number) {
   return record(options, [start], frames / 60).frames.map(([chip]) => chip)
 }
 
-/** The force of friction between two frames, in shares of the most it can be: −1 at the interval's one end, 1 at its other. */
+/**
+ * The force of friction between two frames as a share of its limit: −1 at one end of the interval, 1 at the
+ * other.
+ */
 function share(recording: State[], at: number, friction: number) {
   if (at === 0) return -1
   return ((recording[at].vx - recording[at - 1].vx) * 60) / (friction * gravity)
