@@ -61,7 +61,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       coming.clock += frame
       while (coming.chips[0]?.due <= coming.clock) {
         const next = coming.chips.shift()!
-        next.id = addReleased({ world, chips }, next, world.scene.width, world.scene.gravity)
+        next.id = addReleased({ world, chips }, next, world.scene.width, world.scene.gravity[1])
         ids.push(next.id)
       }
       world.step(frame)
@@ -72,7 +72,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
      */
     plan() {
       const { width, gravity } = world.scene
-      const done = lookAhead.advance({ world, chips }, coming, width, gravity)
+      const done = lookAhead.advance({ world, chips }, coming, width, gravity[1])
       for (const chip of ids.map((id) => chips[id])) {
         const { y, angle } = world.read(chip.id)
         chip.seen ||= y + halfExtent(chip, angle)[1] > 0

@@ -60,7 +60,7 @@ export function drawOverlay(
     drawMark(context, shapes[chip], lying, palette.foreground, expectedDash)
     drawMark(context, shapes[chip], pose, palette.foreground)
   })
-  const pixels = weightLength / (meanMass(world) * Math.max(world.scene.gravity, 1))
+  const pixels = weightLength / (meanMass(world) * Math.max(world.scene.pull, 1))
   for (const { x, y, forceX, forceY } of touches) {
     const scale = Math.min(pixels, longestForce / Math.hypot(forceX, forceY))
     drawLine(context, [x, y], [x + scale * forceX, y + scale * forceY], palette.alarm)

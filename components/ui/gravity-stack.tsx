@@ -146,8 +146,15 @@ const JOINT_GRAVITY = 500
 const THROW_WINDOW = 0.08
 /** px/s of the pointer from which a chip leaves with all of its velocity; slower, with less of it. */
 const THROW_SPEED = 200
-/** px/s that a chip keeps at most when it is let go. */
+/** px/s that a chip keeps at most when it is let go, or pushed. */
 const MAX_TOSS = 1800
+
+// Coming in, and pushes (D-050, D-051) ----------------------------------------------------------------------
+
+/** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
+const ENTRY_SPEED = 240
+/** Places along a push, at most, at which it meets chips. Fewer let a fast one pass through a small chip. */
+const PUSH_SAMPLES = 64
 
 // The solver reads from its arrays only what it wrote there, so no read of them is undefined.
 type Trusted<T> = T & { [index: number]: ReturnType<typeof JSON.parse> }
@@ -168,8 +175,10 @@ type Uint8Array = Trusted<globalThis.Uint8Array>
  */
 const INDEX = 0xffffff
 
-/** Body 0 is the floor, 1 and 2 are the left and right wall: boxes without inverse mass. Chips begin here. */
-const FIRST_CHIP = 3
+/** Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which collides with nothing in a step. Chips and obstacles begin at 5. */
+const CEILING = 3
+const PUSHER = 4
+const FIRST_CHIP = 5
 
 // Record of `state`, read by every iteration: one cache line a body.
 const X = 0
@@ -227,6 +236,8 @@ const SHAPE = 5
  * braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 class Bodies {
+  /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
+  staticCount = PUSHER
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
   count = FIRST_CHIP
   state: Float64Array = new Float64Array(FIRST_CHIP * STATE)
@@ -247,6 +258,8 @@ class Bodies {
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 once the body has wholly come into the stage: the ceiling is there for such bodies only. */
+  inside: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Mouse joints that hold the body. */
   held: Uint8Array = new Uint8Array(FIRST_CHIP)
   awake: Int32Array = new Int32Array(FIRST_CHIP)
@@ -314,7 +327,7 @@ class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
   count = 0
   free = -1
-  /** Body A and body B of each slot, A the lower; B is 0 for a free slot. */
+  /** Body A and body B of each slot: A is static or the lower, B is never static, and 0 for a free slot. */
   pair: Int32Array = new Int32Array(8)
   data: Float64Array = new Float64Array(4 * CONTACT)
   /** Points of the manifold, 0 to 2. */
@@ -398,8 +411,11 @@ class Simulation {
   /** px, size of the stage. */
   width = 0.5
   height = 0.5
-  /** px/s² downwards. */
-  gravity = 0.5
+  /** px/s², to the right and downwards, and the length of the two. */
+  gravity: Float64Array = new Float64Array(2)
+  pull = 0.5
+  /** Whether the top is closed. */
+  ceiling = false
   bounce = 0.5
   friction = 0.5
   /** px/s of approach below which nothing bounces. */
@@ -520,6 +536,11 @@ function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number)
   bodies.before.set([x, y, angle], i * 3)
   bodies.rest.set([x, y, angle, 0], i * 4)
   bodies.motion[i * MOTION + ROTATED_TO] = Number.NaN
+}
+
+/** Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that pulls aside. */
+function isStatic({ state }: Bodies, i: number): boolean {
+  return state[i * STATE + INV_MASS] === 0
 }
 
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
@@ -788,8 +809,11 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
-/** A slot for the pair of bodies `a` and `b`, `a` the lower. */
-function addContact(contacts: Contacts, a: number, b: number): void {
+/** A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is static. */
+function addContact(bodies: Bodies, contacts: Contacts, low: number, high: number): void {
+  const turned = isStatic(bodies, high)
+  const a = turned ? high : low
+  const b = turned ? low : high
   let c = contacts.free
   if (c >= 0) contacts.free = contacts.next[2 * c]
   else {
@@ -869,7 +893,7 @@ function updateContact(simulation: Simulation, c: number): void {
   const { data: d, due, points } = contacts
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
-  const wall = a < FIRST_CHIP
+  const wall = isStatic(bodies, a)
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to be right.
@@ -884,7 +908,7 @@ function updateContact(simulation: Simulation, c: number): void {
   const n1 = d[k + NORMAL_IMPULSE]
   const n2 = d[k2 + NORMAL_IMPULSE]
   const sum = n1 + n2
-  if (!wall && sum === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
+  if (a >= FIRST_CHIP && sum === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
   const torque = d[k + ARM_NB] * n1 + d[k2 + ARM_NB] * n2 + d[k + ARM_TB] * d[k + TANGENT_IMPULSE]
   if (sum > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
   d[k + ARM_LAG] = 0
@@ -988,16 +1012,27 @@ function separationAndRate({ bodies, contacts }: Simulation, c: number, p: numbe
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
-/** px/s, change of that rate over the sub-step by gravity and by the contacts that already push. */
-function rateGain({ bodies, contacts, gravity, h }: Simulation, c: number, p: number): number {
-  const { data: d, pair } = contacts
-  const m = bodies.motion
+/**
+ * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step, by the contacts
+ * that already push and by gravity, which cancels out of two that fall.
+ */
+function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, axis: number): number {
+  const a = contacts.pair[2 * c] & INDEX
+  const { motion } = bodies
+  const gain = motion[(contacts.pair[2 * c + 1] & INDEX) * MOTION + axis] - motion[a * MOTION + axis]
+  return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
+}
+
+/** px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the same. */
+function rateGain(simulation: Simulation, c: number, p: number): number {
+  const { data: d, pair } = simulation.contacts
+  const m = simulation.bodies.motion
   const k = (c & INDEX) * CONTACT
   const a = (pair[2 * c] & INDEX) * MOTION
   const b = (pair[2 * c + 1] & INDEX) * MOTION
   return (
-    d[k + NORMAL_X] * (m[b + WARM_X] - m[a + WARM_X]) +
-    d[k + NORMAL_Y] * (m[b + WARM_Y] - m[a + WARM_Y] + (a < FIRST_CHIP * MOTION ? gravity * h : 0)) +
+    d[k + NORMAL_X] * relativeGain(simulation, c, X) +
+    d[k + NORMAL_Y] * relativeGain(simulation, c, Y) +
     d[p + ARM_NB] * m[b + WARM_SPIN] -
     d[p + ARM_NA] * m[a + WARM_SPIN]
   )
@@ -1045,7 +1080,7 @@ function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: n
  */
 
 /** Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns whether it did. */
-function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
+function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
   const { state, shape, box } = bodies
   const s = i * STATE
   const k = i * 4
@@ -1054,14 +1089,14 @@ function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
   let leaves = false
   for (let axis = 0; axis < 2; axis++) {
     const go = state[s + VX + axis] * STEP
-    const fall = axis * 0.5 * gravity * STEP * STEP
+    const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
     if (low < box[k + axis] || high > box[k + 2 + axis]) leaves = true
   }
   for (let axis = 0; leaves && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
-    const fall = axis * 0.5 * gravity * STEP * STEP
+    const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
     box[k + axis] = state[s + axis] - margin + Math.min(go, go + fall, 0)
     box[k + 2 + axis] = state[s + axis] + margin + Math.max(go, go + fall, 0)
@@ -1071,9 +1106,10 @@ function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, knocked, order, orderCount } = bodies
+  const { awake, awakeCount, box, boxed, inside, knocked, order, orderCount } = bodies
   const { head, next, pair } = contacts
-  let any = false
+  // An obstacle has come or moved.
+  let any = boxed.includes(1)
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
     if (knocked[i] === 0 || !updateBox(bodies, gravity, i)) continue
@@ -1107,11 +1143,15 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
       const j = order[m]
       if (box[j * 4] > box[i * 4 + 2]) break
       if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
+      if (isStatic(bodies, i) && isStatic(bodies, j)) continue
+      // What is still coming in does so through the ceiling.
+      if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
       // A wall keeps no list of its own.
       const lister = i < FIRST_CHIP ? j : i
       if (marked !== lister) markPartners(bodies, contacts, lister)
       marked = lister
-      if (bodies.partner[i + j - lister] !== lister) addContact(contacts, Math.min(i, j), Math.max(i, j))
+      if (bodies.partner[i + j - lister] !== lister)
+        addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
   boxed.fill(0)
@@ -1148,7 +1188,7 @@ function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
 // solver/sleep: rest and waking ─────────────────────────────────────────────────────────────────────────────
 
 /** Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so long enough. */
-function updateSleep({ bodies, contacts, gravity }: Simulation): void {
+function updateSleep({ bodies, contacts, pull }: Simulation): void {
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
@@ -1166,7 +1206,7 @@ function updateSleep({ bodies, contacts, gravity }: Simulation): void {
     rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
     parent[i] = i
     // Nothing rests on nothing, unless it floats.
-    groupRest[i] = gravity === 0 ? rest[r + 3] : 0
+    groupRest[i] = pull === 0 ? rest[r + 3] : 0
   }
   for (let joining = 0; joining < 2; joining++) {
     for (let n = 0; n < contacts.nearCount; n++) {
@@ -1177,7 +1217,7 @@ function updateSleep({ bodies, contacts, gravity }: Simulation): void {
       if (joining === 0) {
         groupRest[a] = rest[a * 4 + 3]
         groupRest[b] = rest[b * 4 + 3]
-      } else if (a >= FIRST_CHIP) joinGroups(bodies, a, b)
+      } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
   bodies.awakeCount = 0
@@ -1220,7 +1260,7 @@ function wakeTouching(simulation: Simulation, i: number): void {
 }
 
 function anyAsleep({ bodies }: Simulation): boolean {
-  return bodies.awakeCount + FIRST_CHIP < bodies.orderCount
+  return bodies.awakeCount + bodies.staticCount < bodies.orderCount
 }
 
 /** Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody. */
@@ -1278,7 +1318,7 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   for (let n = 0; n < awakeCount; n++) {
     const inverse = state[awake[n] * STATE + INV_MASS]
     lightest = Math.max(lightest, inverse)
-    heaviest = Math.min(heaviest, inverse)
+    if (inverse > 0) heaviest = Math.min(heaviest, inverse)
     speed = Math.max(speed, speedOf(bodies, awake[n]))
   }
   regime.resting = speed <= RESTING_SPEED
@@ -1322,7 +1362,7 @@ function trackTravel({ bodies, h }: Simulation): void {
 /** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
 function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
-  changed.fill(NEVER, 0, FIRST_CHIP)
+  changed.fill(NEVER)
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING_RESISTANCE : 0
   for (let n = 0; n < awakeCount; n++) {
@@ -1336,9 +1376,13 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const warmY = motion[m + WARM_Y]
     const warmSpin = motion[m + WARM_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
+    // What comes in at its own speed is not pulled.
+    const pulled = state[s + INV_MASS] > 0 ? 1 : 0
+    const gx = pulled * gravity[X]
+    const gy = pulled * gravity[Y]
     // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the way.
-    motion[m + DELTA_X] = air.reach * vx + 0.5 * h * warmX
-    motion[m + DELTA_Y] = air.reach * vy + gravity * air.fall + 0.5 * h * warmY
+    motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
+    motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
     const most = (rolling * (Math.abs(warmX) + Math.abs(warmY))) / extent
     const freeSpin = spinAir.fade * spin + warmSpin
@@ -1346,8 +1390,8 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const rollingImpulse = last - supported[i] * ROLLING_SHARE * (freeSpin + last)
     motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
-    state[s + VX] = motion[m + START_X] = air.fade * vx + warmX
-    state[s + VY] = motion[m + START_Y] = air.fade * vy + gravity * air.reach + warmY
+    state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
+    state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     changed[i] = speed > regime.tolerance || moved[i] > 0 ? 0 : NEVER
@@ -1358,9 +1402,9 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start. Returns how
  * many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
  */
-function integratePositions({ bodies, gravity, h }: Simulation): number {
+function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
-  const wrong = WRONG_WARM_START * Math.max(1, Math.abs(gravity) / GRAVITY)
+  const wrong = WRONG_WARM_START * Math.max(1, pull / GRAVITY)
   let active = 0
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
@@ -1380,7 +1424,7 @@ function integratePositions({ bodies, gravity, h }: Simulation): number {
     motion[m + WARM_Y] += dvy
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    const gain = Math.abs(motion[m + WARM_X]) + Math.abs(motion[m + WARM_Y] + gravity * h)
+    const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
     if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }
@@ -1480,9 +1524,10 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
       spinA -= iia * (na1 * p1 + na2 * p2)
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
-    // Nobody could predict a branch here. Walls never move.
+    const ima = s[a + INV_MASS]
+    // Nobody could predict a branch here. What is static never changes.
     const changes = -(change > tolerance)
-    changed[bodyA] += (turn - changed[bodyA]) & changes & -(bodyA >= FIRST_CHIP)
+    changed[bodyA] += (turn - changed[bodyA]) & changes & -(ima > 0)
     changed[bodyB] += (turn - changed[bodyB]) & changes
     latest += (turn - latest) & changes
     const ta = d[k + ARM_TA]
@@ -1497,7 +1542,6 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
     t -= oldT
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
-    const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
     s[a + VX] -= ima * x
     s[a + VY] -= ima * y
@@ -1508,6 +1552,33 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
   }
   simulation.work[CONTACTS_VISITED] += visits
   return latest
+}
+
+// solver/entry: chips on their way into the stage ───────────────────────────────────────────────────────────
+
+/**
+ * Notes whether body `i` is in the stage, as the ceiling is there only for what is. Chips come in from above: gravity that
+ * pulls aside or up has no hold on one before it is in. Static until then, it comes down at a speed of its own and shoves
+ * aside what lies in the way.
+ */
+function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation, i: number): void {
+  const { box, density, held, inside, shape, state } = bodies
+  const s = i * STATE
+  halfExtents(bodies, i, 0, 0)
+  // What is higher than the stage is in when it stands on the floor.
+  inside[i] = state[s + Y] < Math.min(extents[Y], height - extents[Y] - 1) ? 0 : 1
+  const drawn = inside[i] + held[i] === 0 && gravity[Y] < Math.abs(gravity[X])
+  if (drawn) {
+    // Body B of a contact is never static.
+    while (!isStatic(bodies, i) && contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
+    state.set([0, ENTRY_SPEED, 0, 0, 0], s + VX)
+  } else if (isStatic(bodies, i)) {
+    const [hx, hy, radius] = [HX, HY, RADIUS].map((field) => shape[i * SHAPE + field])
+    setShape(bodies, i, 2 * (hx! + radius!), 2 * (hy! + radius!), radius!, density[i])
+    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
+  }
+  // Its contact with the ceiling begins.
+  if (ceiling && inside[i]) box[i * 4] = Infinity
 }
 
 // solver/position-correction: overlap taken out of poses ────────────────────────────────────────────────────
@@ -1559,12 +1630,14 @@ function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
   return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
 }
 
-/** Lifts the higher of the two chips that are deepest in one another, if any are wedged: they have room only upwards. */
+/** Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room only upwards. */
 function liftWedged(simulation: Simulation): void {
-  const { state } = simulation.bodies
+  const { bodies } = simulation
+  const { density, state } = bodies
   const { live, liveCount, pair, points } = simulation.contacts
   let deepest = -WEDGED_OVERLAP
   let higher = -1
+  let lower = -1
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
     const a = pair[2 * c]
@@ -1573,20 +1646,37 @@ function liftWedged(simulation: Simulation): void {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= deepest) continue
       deepest = manifold[GAP_NOW]
-      higher = state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+      higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+      lower = a + b - higher
     }
   }
-  if (higher > 0) state[higher * STATE + Y] -= MAX_CORRECTION
+  if (higher < 0) return
+  let lift = MAX_CORRECTION
+  if (density[lower] === Infinity) {
+    // All the way: an obstacle would push it back down.
+    lift = state[higher * STATE + Y] - state[lower * STATE + Y]
+    for (const i of [higher, lower]) {
+      halfExtents(bodies, i, 0, 0)
+      lift += extents[Y]
+    }
+  }
+  state[higher * STATE + Y] -= lift
 }
 
-/** Puts back what others have pressed into a wall, which gives way to nothing. */
-function keepInside({ bodies, width, height }: Simulation): void {
-  const { state, awake, awakeCount } = bodies
+/** Puts back what others have pressed into a wall, which gives way to nothing, and notes what has come in. */
+function keepInside(simulation: Simulation): void {
+  const { bodies, ceiling, width, height } = simulation
+  const { inside, state, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
-    const s = awake[n] * STATE
-    halfExtents(bodies, awake[n], WALL_OVERLAP, 0)
+    const i = awake[n]
+    const s = i * STATE
+    halfExtents(bodies, i, WALL_OVERLAP, 0)
     state[s + X] = Math.max(extents[X], Math.min(state[s + X], width - extents[X]))
-    state[s + Y] = Math.min(state[s + Y], height - extents[Y])
+    state[s + Y] = Math.min(
+      ceiling && inside[i] ? Math.max(state[s + Y], extents[Y]) : state[s + Y],
+      height - extents[Y],
+    )
+    if (!inside[i]) updateEntry(simulation, i)
   }
 }
 
@@ -1608,7 +1698,7 @@ const FREE = 1e9
  * leave as it should, from the velocity at the start of the sub-step.
  */
 function foreseeImpact(simulation: Simulation, c: number): boolean {
-  const { bodies, contacts, bounce, gravity, h, threshold } = simulation
+  const { bodies, contacts, bounce, h, pull, threshold } = simulation
   const { motion } = bodies
   const { data: d, pair, points } = contacts
   const k = c * CONTACT
@@ -1623,7 +1713,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
     // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will take it back.
-    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - Math.abs(gravity) * h) / h
+    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -1659,7 +1749,7 @@ function queueImpact(simulation: Simulation, c: number): void {
 
 /** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
 function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): number {
-  return i < FIRST_CHIP ? 0 : bodies.motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)
+  return isStatic(bodies, i) ? 0 : bodies.motion[i * MOTION + axis] + (axis < 2 ? gravity[axis] * h : 0)
 }
 
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
@@ -1683,7 +1773,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
 
 /** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
 function solveImpact(simulation: Simulation, c: number): void {
-  const { bodies, contacts, gravity, h, impactRegime } = simulation
+  const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, next, pair, points, live } = contacts
   const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
@@ -1700,11 +1790,10 @@ function solveImpact(simulation: Simulation, c: number): void {
   const b = pair[2 * c + 1]
   const ma = a * MOTION
   const mb = b * MOTION
-  const fall = a < FIRST_CHIP ? gravity * h : 0
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
   const gain =
-    d[k + NORMAL_X] * (motion[mb + WARM_Y] - motion[ma + WARM_Y] + fall) -
-    d[k + NORMAL_Y] * (motion[mb + WARM_X] - motion[ma + WARM_X]) +
+    d[k + NORMAL_X] * relativeGain(simulation, c, Y) -
+    d[k + NORMAL_Y] * relativeGain(simulation, c, X) +
     d[k + ARM_TB] * motion[mb + WARM_SPIN] -
     d[k + ARM_TA] * motion[ma + WARM_SPIN]
   d[k + TANGENT_BIAS] = (-gain * time) / h
@@ -1730,7 +1819,7 @@ function solveImpact(simulation: Simulation, c: number): void {
   for (let n = 0; n < 6; n++) {
     const i = n > 2 ? b : a
     const s = i * STATE + VX + (n % 3)
-    const mass = i < FIRST_CHIP ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
+    const mass = isStatic(bodies, i) ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
     const change = state[s] - kept[6 + n]
     first += mass * change * (kept[6 + n] + (time * gainOf(simulation, i, n % 3)) / h)
     second += mass * change * change
@@ -1743,13 +1832,13 @@ function solveImpact(simulation: Simulation, c: number): void {
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
     moved[i] = knocked[i] = 1
-    if (i >= FIRST_CHIP) motion[i * MOTION + STRUCK_AT] = time
+    if (!isStatic(bodies, i)) motion[i * MOTION + STRUCK_AT] = time
   }
   // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
-    for (let edge = i < FIRST_CHIP ? -1 : head[i]; edge >= 0; edge = next[edge]) {
+    for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
       if (other === c || asleep[pair[edge ^ 1]] > 0) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
@@ -1774,10 +1863,10 @@ function solveImpacts(simulation: Simulation): void {
 
 /** Measures again what has moved, before a sub-step, and queues what will hit in it. */
 function updateContacts(simulation: Simulation): void {
-  const { bodies, contacts, gravity, h, threshold } = simulation
+  const { bodies, contacts, h, pull, threshold } = simulation
   const { due, near, nearCount, pair, points } = contacts
   const { motion, moved } = bodies
-  const enough = SPECULATIVE_DISTANCE + LOOKAHEAD * h * (threshold - Math.abs(gravity) * h)
+  const enough = SPECULATIVE_DISTANCE + LOOKAHEAD * h * (threshold - pull * h)
   for (let n = 0; n < nearCount; n++) {
     const c = near[n] & INDEX
     const a = pair[2 * c] & INDEX
@@ -1790,7 +1879,7 @@ function updateContacts(simulation: Simulation): void {
     const way = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
-      const serves = a < FIRST_CHIP ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
+      const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
       // Where the two move alike, less of their travel counts.
       const spare = (touching ? serves : contacts.data[c * CONTACT + SEPARATION]) - shiftOf(simulation, c)
       due[c] = travel + spare
@@ -1896,8 +1985,8 @@ function createJoint(bodies: Bodies, body: number, x: number, y: number): MouseJ
   }
 }
 
-/** Finds the arm and the target of `joint` at the body's present angle. Upwards every place is in reach: no ceiling. */
-function aim({ bodies, width, height }: Simulation, joint: MouseJoint): void {
+/** Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards is in reach. */
+function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint): void {
   const { motion } = bodies
   const m = joint.body * MOTION
   halfExtents(bodies, joint.body, WALL_OVERLAP, 0)
@@ -1906,7 +1995,8 @@ function aim({ bodies, width, height }: Simulation, joint: MouseJoint): void {
   joint.armY = motion[m + SIN] * localX + motion[m + COS] * localY
   const x = Math.max(extents[X], Math.min(joint.x - joint.armX, width - extents[X]))
   joint.targetX = joint.armX + x
-  joint.targetY = joint.armY + Math.min(joint.y - joint.armY, height - extents[Y])
+  const y = Math.min(joint.y - joint.armY, height - extents[Y])
+  joint.targetY = joint.armY + (ceiling ? Math.max(y, extents[Y]) : y)
 }
 
 /** Prepares the joint for a sub-step. */
@@ -1941,7 +2031,7 @@ function warmStartJoint({ state, motion }: Bodies, joint: MouseJoint): void {
 }
 
 /** One visit of the joint in an iteration of the contact solver. */
-function solveJoint({ bodies, gravity, h }: Simulation, joint: MouseJoint): void {
+function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): void {
   const s = bodies.state
   const i = joint.body * STATE
   const { armX, armY } = joint
@@ -1958,7 +2048,7 @@ function solveJoint({ bodies, gravity, h }: Simulation, joint: MouseJoint): void
   const hard = (a2 * soft) / (k11 * k22 - k12 * k12)
   let x = joint.impulseX * (1 - soft) - hard * (k22 * vx - k12 * vy)
   let y = joint.impulseY * (1 - soft) - hard * (k11 * vy - k12 * vx)
-  const most = (JOINT_STRENGTH * Math.max(Math.abs(gravity), JOINT_GRAVITY) * h) / m
+  const most = (JOINT_STRENGTH * Math.max(pull, JOINT_GRAVITY) * h) / m
   const share = Math.min(1, most / Math.sqrt(x * x + y * y))
   // No impulse at all divides by zero, and is within any limit.
   if (share < 1) {
@@ -2028,6 +2118,56 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
     }
   }
   capSpeed(state, s, MAX_TOSS)
+}
+
+// solver/push: a disc that pushes chips aside ───────────────────────────────────────────────────────────────
+
+/**
+ * Push: a disc of `radius` px goes from (x, y) by (goX, goY) in `seconds`. Each chip in its way gets the impulse along the normal
+ * with which it moves as fast there as the disc does, though never faster than a toss. Between two pushes there is no disc,
+ * so that it presses nothing against a wall, and nothing has to lie beside it.
+ */
+function pushBodies(
+  simulation: Simulation,
+  radius: number,
+  x: number,
+  y: number,
+  goX: number,
+  goY: number,
+  seconds: number,
+): void {
+  const { bodies, contacts } = simulation
+  const { alive, held, state } = bodies
+  const way = Math.sqrt(goX * goX + goY * goY)
+  const rate = Math.min(1 / seconds, MAX_TOSS / way)
+  const samples = Math.ceil(Math.min((2 * way) / radius, PUSH_SAMPLES))
+  setShape(bodies, PUSHER, 2 * radius, 2 * radius, radius, Infinity)
+  for (let n = 1; n <= samples; n++) {
+    setPose(bodies, PUSHER, x + (n / samples) * goX, y + (n / samples) * goY, 0)
+    for (let i = FIRST_CHIP; i < bodies.count; i++) {
+      if (!alive[i] || held[i] || isStatic(bodies, i)) continue
+      manifold[WIDEST] = 0
+      collide(bodies, PUSHER, i)
+      if (manifold[COUNT] === 0) continue
+      const s = i * STATE
+      const nx = manifold[MANIFOLD_NX]
+      const ny = manifold[MANIFOLD_NY]
+      const arm = manifold[ARM_BX] * ny - manifold[ARM_BY] * nx
+      const approach =
+        nx * (rate * goX - state[s + VX]) + ny * (rate * goY - state[s + VY]) - arm * state[s + SPIN]
+      if (!(approach > 0)) continue
+      const impulse = approach / (state[s + INV_MASS] + state[s + INV_INERTIA] * arm * arm)
+      state[s + VX] += nx * state[s + INV_MASS] * impulse
+      state[s + VY] += ny * state[s + INV_MASS] * impulse
+      state[s + SPIN] += arm * state[s + INV_INERTIA] * impulse
+      capSpeed(state, s, MAX_TOSS)
+      simulation.revision++
+      wake(simulation, i)
+      // It has a new velocity and has not moved: what it is pushed into is looked at all the same.
+      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
+        contacts.due[edge >> 1] = -Infinity
+    }
+  }
 }
 
 // solver/step: the algorithm: one step of all that is awake ─────────────────────────────────────────────────
@@ -2132,12 +2272,19 @@ function correctOverlaps(simulation: Simulation): void {
 
 // solver/world: what the stage calls ────────────────────────────────────────────────────────────────────────
 
+interface Vector {
+  x: number
+  y: number
+}
+
 interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
+  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
   width: number
   height: number
-  /** px/s² downwards. */
-  gravity?: number
+  /** px/s² downwards, or to the right and downwards. */
+  gravity?: number | Vector | undefined
+  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
+  ceiling?: boolean | undefined
   /** Restitution, 0..1. */
   bounce?: number
   /** Coulomb coefficient, 0 or more. */
@@ -2209,36 +2356,41 @@ function createWorld(options: WorldOptions) {
   scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
   scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
   impactRegime.relaxation = 1
-  scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
+  scene.gravity[Y] = GRAVITY
+  setGravity(options.gravity)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
   // Floor and walls.
-  for (let i = 0; i < FIRST_CHIP; i++) {
+  for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i
-    setShape(bodies, i, i > 0 ? THICK : FAR, i > 0 ? FAR : THICK, 0, Infinity)
+    const upright = i % CEILING > 0
+    setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
   }
+  scene.ceiling = options.ceiling === true
   enclose(size(options.width), size(options.height))
 
   return {
-    /** Adds a body and returns its id. */
+    /** Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves aside. */
     add(body: BodyOptions): number {
+      const { density } = body
       const i = scene.freeSlots.pop() ?? bodies.count++
       if (bodies.alive.length < bodies.count) grow(bodies)
       // Lists of contacts are by body, contacts by need.
       while (contacts.head.length < bodies.count) grow(contacts)
-      const { density } = body
-      bodies.density[i] = within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
+      const obstacle = density === Infinity
+      bodies.density[i] = obstacle ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
       put(i, body)
-      bodies.alive[i] = 1
-      bodies.held[i] = 0
-      wakeAlone(bodies, i)
+      bodies.alive[i] = bodies.inside[i] = 1
+      bodies.held[i] = bodies.asleep[i] = 0
       contacts.head[i] = -1
-      bodies.box[i * 4] = Infinity
       bodies.order[bodies.orderCount++] = i
+      if (obstacle) bodies.staticCount++
+      else wakeAlone(bodies, i)
+      changed(i)
       return i
     },
 
@@ -2247,6 +2399,7 @@ function createWorld(options: WorldOptions) {
       if (!bodies.alive[id]) return
       scene.revision++
       wakeTouching(scene, id)
+      if (isObstacle(id)) bodies.staticCount--
       for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === id) joints.splice(n, 1)
       while (contacts.head[id] >= 0) removeContact(contacts, contacts.head[id] >> 1)
       bodies.orderCount = without(bodies.order, id, bodies.orderCount)
@@ -2261,7 +2414,7 @@ function createWorld(options: WorldOptions) {
       scene.revision++
       wakeTouching(scene, id)
       put(id, motion)
-      forget(id)
+      changed(id)
     },
 
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
@@ -2270,7 +2423,7 @@ function createWorld(options: WorldOptions) {
       scene.revision++
       wakeTouching(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
-      forget(id)
+      changed(id)
       scene.cramped = WEDGED_STEPS
     },
 
@@ -2299,21 +2452,30 @@ function createWorld(options: WorldOptions) {
       shift(1)
     },
 
-    /** Changes gravity (px/s²), bounce or friction; wakes everything. */
-    configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
-      const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+    /** Changes gravity (px/s²), ceiling, bounce or friction; wakes everything. */
+    configure(change: Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>): void {
+      const { gravity, pull } = scene
+      const [oldX, oldY] = gravity
+      setGravity(change.gravity)
       scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
-      const share = within(gravity / (scene.gravity || gravity || 1), 0, 1000, 1)
+      const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + NORMAL_IMPULSE] *= share
         contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
         contacts.data[k + TANGENT_IMPULSE] *= scene.friction > 0 ? share : 0
       }
       scene.revision++
-      scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
+      scene.ceiling = change.ceiling ?? scene.ceiling
+      encloseTop()
       wakeAll()
+      for (let n = 0; n < bodies.awakeCount; n++) updateEntry(scene, bodies.awake[n])
+    },
+
+    /** Pushes what is in the way of a disc that goes from one place to another; see `pushBodies`. */
+    push(radius: number, x: number, y: number, goX: number, goY: number, seconds: number): void {
+      pushBodies(scene, radius, x, y, goX, goY, seconds)
     },
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
@@ -2334,10 +2496,12 @@ function createWorld(options: WorldOptions) {
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
-      if (bodies.alive[id]) {
+      if (bodies.alive[id] && !isObstacle(id)) {
         scene.revision++
         wakeTouching(scene, id)
         bodies.held[id]++
+        // What is taken as it comes in has a mass from now on.
+        updateEntry(scene, id)
         joints.push(joint)
       }
       return {
@@ -2442,8 +2606,27 @@ function createWorld(options: WorldOptions) {
     setPose(bodies, 0, width / 2, height + thick, 0)
     setPose(bodies, 1, -thick, 0, 0)
     setPose(bodies, 2, width + thick, 0, 0)
-    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far])
+    setPose(bodies, CEILING, width / 2, -thick, 0)
+    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
+    encloseTop()
     for (let i = FIRST_CHIP; i < bodies.count; i++) forget(i)
+  }
+
+  /** An open ceiling is where nothing comes near it. */
+  function encloseTop(): void {
+    bodies.box[CEILING * 4] = scene.ceiling ? -FAR : Infinity
+  }
+
+  function setGravity(given: number | Vector | undefined): void {
+    const { gravity } = scene
+    const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
+    gravity[X] = within(x, -1e5, 1e5, gravity[X])
+    gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
+    scene.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
+  }
+
+  function isObstacle(i: number): boolean {
+    return bodies.density[i] === Infinity
   }
 
   function wakeAll(): void {
@@ -2452,9 +2635,27 @@ function createWorld(options: WorldOptions) {
     }
   }
 
-  /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
+  /** Body `i` has come, or was moved or changed by hand. */
+  function changed(i: number): void {
+    const { box, boxed, state } = bodies
+    forget(i)
+    if (!isObstacle(i)) {
+      updateEntry(scene, i)
+      return
+    }
+    // What is near an obstacle wakes, and what is in it moves aside.
+    halfExtents(bodies, i, 0, 0)
+    for (let side = 0; side < 4; side++)
+      box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
+    boxed[i] = 1
+    for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(scene, j)
+    scene.revision++
+    scene.cramped = WEDGED_STEPS
+  }
+
+  /** The contacts of body `i` are made anew, and the box of a chip. */
   function forget(i: number): void {
-    bodies.box[i * 4] = Infinity
+    if (!isObstacle(i)) bodies.box[i * 4] = Infinity
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
   }
 }
@@ -2491,6 +2692,7 @@ function within(value: number | undefined, least: number, most: number, otherwis
 /** Takes `i` out of the first `count` of a list; returns how many are left. */
 function without(list: Int32Array, i: number, count: number): number {
   const at = list.indexOf(i)
+  if (at < 0) return count
   list.copyWithin(at, at + 1, count)
   return count - 1
 }

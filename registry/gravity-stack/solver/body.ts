@@ -62,6 +62,11 @@ export function setPose(bodies: Bodies, i: number, x: number, y: number, angle: 
   bodies.motion[i * MOTION + ROTATED_TO] = Number.NaN
 }
 
+/** Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that pulls aside. */
+export function isStatic({ state }: Bodies, i: number): boolean {
+  return state[i * STATE + INV_MASS] === 0
+}
+
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
 export const extents: Float64Array = new Float64Array(2)
 

@@ -1,8 +1,9 @@
-import { extents, halfExtents } from './body'
+import { extents, halfExtents, isStatic } from './body'
 import { AABB_MARGIN, STEP } from './constants'
 import { addContact, removeContact } from './contact'
 import {
   type Bodies,
+  CEILING,
   CORE,
   type Contacts,
   FIRST_CHIP,
@@ -19,7 +20,7 @@ import {
  */
 
 /** Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns whether it did. */
-function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
+function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
   const { state, shape, box } = bodies
   const s = i * STATE
   const k = i * 4
@@ -28,14 +29,14 @@ function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
   let leaves = false
   for (let axis = 0; axis < 2; axis++) {
     const go = state[s + VX + axis] * STEP
-    const fall = axis * 0.5 * gravity * STEP * STEP
+    const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
     if (low < box[k + axis] || high > box[k + 2 + axis]) leaves = true
   }
   for (let axis = 0; leaves && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
-    const fall = axis * 0.5 * gravity * STEP * STEP
+    const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
     box[k + axis] = state[s + axis] - margin + Math.min(go, go + fall, 0)
     box[k + 2 + axis] = state[s + axis] + margin + Math.max(go, go + fall, 0)
@@ -45,9 +46,10 @@ function updateBox(bodies: Bodies, gravity: number, i: number): boolean {
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, knocked, order, orderCount } = bodies
+  const { awake, awakeCount, box, boxed, inside, knocked, order, orderCount } = bodies
   const { head, next, pair } = contacts
-  let any = false
+  // An obstacle has come or moved.
+  let any = boxed.includes(1)
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
     if (knocked[i] === 0 || !updateBox(bodies, gravity, i)) continue
@@ -81,11 +83,15 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
       const j = order[m]
       if (box[j * 4] > box[i * 4 + 2]) break
       if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
+      if (isStatic(bodies, i) && isStatic(bodies, j)) continue
+      // What is still coming in does so through the ceiling.
+      if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
       // A wall keeps no list of its own.
       const lister = i < FIRST_CHIP ? j : i
       if (marked !== lister) markPartners(bodies, contacts, lister)
       marked = lister
-      if (bodies.partner[i + j - lister] !== lister) addContact(contacts, Math.min(i, j), Math.max(i, j))
+      if (bodies.partner[i + j - lister] !== lister)
+        addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
   boxed.fill(0)
@@ -97,6 +103,6 @@ function markPartners({ partner }: Bodies, { head, next, pair }: Contacts, i: nu
   for (let edge = head[i]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = i
 }
 
-function overlap(box: Float64Array, i: number, j: number): boolean {
+export function overlap(box: Float64Array, i: number, j: number): boolean {
   return box[i] <= box[j + 2] && box[j] <= box[i + 2] && box[i + 1] <= box[j + 3] && box[j + 1] <= box[i + 3]
 }

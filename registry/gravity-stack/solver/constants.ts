@@ -134,5 +134,12 @@ export const JOINT_GRAVITY = 500
 export const THROW_WINDOW = 0.08
 /** px/s of the pointer from which a chip leaves with all of its velocity; slower, with less of it. */
 export const THROW_SPEED = 200
-/** px/s that a chip keeps at most when it is let go. */
+/** px/s that a chip keeps at most when it is let go, or pushed. */
 export const MAX_TOSS = 1800
+
+// Coming in, and pushes (D-050, D-051) ----------------------------------------------------------------------
+
+/** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
+export const ENTRY_SPEED = 240
+/** Places along a push, at most, at which it meets chips. Fewer let a fast one pass through a small chip. */
+export const PUSH_SAMPLES = 64

@@ -6,7 +6,6 @@ import {
   CONTACT,
   CONTACTS_VISITED,
   COUPLING_K,
-  FIRST_CHIP,
   INDEX,
   INV_DET,
   INV_INERTIA,
@@ -119,9 +118,10 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
       spinA -= iia * (na1 * p1 + na2 * p2)
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
-    // Nobody could predict a branch here. Walls never move.
+    const ima = s[a + INV_MASS]
+    // Nobody could predict a branch here. What is static never changes.
     const changes = -(change > tolerance)
-    changed[bodyA] += (turn - changed[bodyA]) & changes & -(bodyA >= FIRST_CHIP)
+    changed[bodyA] += (turn - changed[bodyA]) & changes & -(ima > 0)
     changed[bodyB] += (turn - changed[bodyB]) & changes
     latest += (turn - latest) & changes
     const ta = d[k + ARM_TA]
@@ -136,7 +136,6 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
     t -= oldT
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
-    const ima = s[a + INV_MASS]
     const imb = s[b + INV_MASS]
     s[a + VX] -= ima * x
     s[a + VY] -= ima * y

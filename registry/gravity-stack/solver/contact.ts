@@ -1,3 +1,4 @@
+import { isStatic } from './body'
 import { GRAZE } from './constants'
 import {
   ACROSS,
@@ -81,8 +82,11 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
-/** A slot for the pair of bodies `a` and `b`, `a` the lower. */
-export function addContact(contacts: Contacts, a: number, b: number): void {
+/** A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is static. */
+export function addContact(bodies: Bodies, contacts: Contacts, low: number, high: number): void {
+  const turned = isStatic(bodies, high)
+  const a = turned ? high : low
+  const b = turned ? low : high
   let c = contacts.free
   if (c >= 0) contacts.free = contacts.next[2 * c]
   else {
@@ -162,7 +166,7 @@ export function updateContact(simulation: Simulation, c: number): void {
   const { data: d, due, points } = contacts
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
-  const wall = a < FIRST_CHIP
+  const wall = isStatic(bodies, a)
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
   // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to be right.
@@ -177,7 +181,7 @@ export function updateContact(simulation: Simulation, c: number): void {
   const n1 = d[k + NORMAL_IMPULSE]
   const n2 = d[k2 + NORMAL_IMPULSE]
   const sum = n1 + n2
-  if (!wall && sum === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
+  if (a >= FIRST_CHIP && sum === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
   const torque = d[k + ARM_NB] * n1 + d[k2 + ARM_NB] * n2 + d[k + ARM_TB] * d[k + TANGENT_IMPULSE]
   if (sum > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
   d[k + ARM_LAG] = 0
@@ -281,16 +285,27 @@ export function separationAndRate({ bodies, contacts }: Simulation, c: number, p
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
-/** px/s, change of that rate over the sub-step by gravity and by the contacts that already push. */
-export function rateGain({ bodies, contacts, gravity, h }: Simulation, c: number, p: number): number {
-  const { data: d, pair } = contacts
-  const m = bodies.motion
+/**
+ * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step, by the contacts
+ * that already push and by gravity, which cancels out of two that fall.
+ */
+export function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, axis: number): number {
+  const a = contacts.pair[2 * c] & INDEX
+  const { motion } = bodies
+  const gain = motion[(contacts.pair[2 * c + 1] & INDEX) * MOTION + axis] - motion[a * MOTION + axis]
+  return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
+}
+
+/** px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the same. */
+export function rateGain(simulation: Simulation, c: number, p: number): number {
+  const { data: d, pair } = simulation.contacts
+  const m = simulation.bodies.motion
   const k = (c & INDEX) * CONTACT
   const a = (pair[2 * c] & INDEX) * MOTION
   const b = (pair[2 * c + 1] & INDEX) * MOTION
   return (
-    d[k + NORMAL_X] * (m[b + WARM_X] - m[a + WARM_X]) +
-    d[k + NORMAL_Y] * (m[b + WARM_Y] - m[a + WARM_Y] + (a < FIRST_CHIP * MOTION ? gravity * h : 0)) +
+    d[k + NORMAL_X] * relativeGain(simulation, c, X) +
+    d[k + NORMAL_Y] * relativeGain(simulation, c, Y) +
     d[p + ARM_NB] * m[b + WARM_SPIN] -
     d[p + ARM_NA] * m[a + WARM_SPIN]
   )

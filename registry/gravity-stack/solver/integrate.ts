@@ -17,9 +17,9 @@ import {
   DELTA_X,
   DELTA_Y,
   EXTENT,
-  FIRST_CHIP,
   HORIZON,
   INDEX,
+  INV_MASS,
   MOTION,
   ROLLING_IMPULSE,
   SEEN_ANGLE,
@@ -74,7 +74,7 @@ export function trackTravel({ bodies, h }: Simulation): void {
 /** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
 export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
-  changed.fill(NEVER, 0, FIRST_CHIP)
+  changed.fill(NEVER)
   // What nothing brakes in the air rolls for ever as well: so it is measured.
   const rolling = spinAir.fade < 1 ? ROLLING_RESISTANCE : 0
   for (let n = 0; n < awakeCount; n++) {
@@ -88,9 +88,13 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const warmY = motion[m + WARM_Y]
     const warmSpin = motion[m + WARM_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
+    // What comes in at its own speed is not pulled.
+    const pulled = state[s + INV_MASS] > 0 ? 1 : 0
+    const gx = pulled * gravity[X]
+    const gy = pulled * gravity[Y]
     // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the way.
-    motion[m + DELTA_X] = air.reach * vx + 0.5 * h * warmX
-    motion[m + DELTA_Y] = air.reach * vy + gravity * air.fall + 0.5 * h * warmY
+    motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
+    motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
     const most = (rolling * (Math.abs(warmX) + Math.abs(warmY))) / extent
     const freeSpin = spinAir.fade * spin + warmSpin
@@ -98,8 +102,8 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const rollingImpulse = last - supported[i] * ROLLING_SHARE * (freeSpin + last)
     motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
-    state[s + VX] = motion[m + START_X] = air.fade * vx + warmX
-    state[s + VY] = motion[m + START_Y] = air.fade * vy + gravity * air.reach + warmY
+    state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
+    state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     changed[i] = speed > regime.tolerance || moved[i] > 0 ? 0 : NEVER
@@ -110,9 +114,9 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start. Returns how
  * many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
  */
-export function integratePositions({ bodies, gravity, h }: Simulation): number {
+export function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
-  const wrong = WRONG_WARM_START * Math.max(1, Math.abs(gravity) / GRAVITY)
+  const wrong = WRONG_WARM_START * Math.max(1, pull / GRAVITY)
   let active = 0
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
@@ -132,7 +136,7 @@ export function integratePositions({ bodies, gravity, h }: Simulation): number {
     motion[m + WARM_Y] += dvy
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    const gain = Math.abs(motion[m + WARM_X]) + Math.abs(motion[m + WARM_Y] + gravity * h)
+    const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
     if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }

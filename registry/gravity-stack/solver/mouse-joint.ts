@@ -67,8 +67,8 @@ export function createJoint(bodies: Bodies, body: number, x: number, y: number):
   }
 }
 
-/** Finds the arm and the target of `joint` at the body's present angle. Upwards every place is in reach: no ceiling. */
-function aim({ bodies, width, height }: Simulation, joint: MouseJoint): void {
+/** Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards is in reach. */
+function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint): void {
   const { motion } = bodies
   const m = joint.body * MOTION
   halfExtents(bodies, joint.body, WALL_OVERLAP, 0)
@@ -77,7 +77,8 @@ function aim({ bodies, width, height }: Simulation, joint: MouseJoint): void {
   joint.armY = motion[m + SIN] * localX + motion[m + COS] * localY
   const x = Math.max(extents[X], Math.min(joint.x - joint.armX, width - extents[X]))
   joint.targetX = joint.armX + x
-  joint.targetY = joint.armY + Math.min(joint.y - joint.armY, height - extents[Y])
+  const y = Math.min(joint.y - joint.armY, height - extents[Y])
+  joint.targetY = joint.armY + (ceiling ? Math.max(y, extents[Y]) : y)
 }
 
 /** Prepares the joint for a sub-step. */
@@ -112,7 +113,7 @@ export function warmStartJoint({ state, motion }: Bodies, joint: MouseJoint): vo
 }
 
 /** One visit of the joint in an iteration of the contact solver. */
-export function solveJoint({ bodies, gravity, h }: Simulation, joint: MouseJoint): void {
+export function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): void {
   const s = bodies.state
   const i = joint.body * STATE
   const { armX, armY } = joint
@@ -129,7 +130,7 @@ export function solveJoint({ bodies, gravity, h }: Simulation, joint: MouseJoint
   const hard = (a2 * soft) / (k11 * k22 - k12 * k12)
   let x = joint.impulseX * (1 - soft) - hard * (k22 * vx - k12 * vy)
   let y = joint.impulseY * (1 - soft) - hard * (k11 * vy - k12 * vx)
-  const most = (JOINT_STRENGTH * Math.max(Math.abs(gravity), JOINT_GRAVITY) * h) / m
+  const most = (JOINT_STRENGTH * Math.max(pull, JOINT_GRAVITY) * h) / m
   const share = Math.min(1, most / Math.sqrt(x * x + y * y))
   // No impulse at all divides by zero, and is within any limit.
   if (share < 1) {

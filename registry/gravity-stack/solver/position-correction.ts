@@ -9,6 +9,7 @@ import {
   WEDGED_OVERLAP,
 } from './constants'
 import { separationAndRate } from './contact'
+import { updateEntry } from './entry'
 import { GAP_NOW, manifold, RATE_NOW } from './manifold'
 import {
   ANGLE,
@@ -74,12 +75,14 @@ function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
   return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
 }
 
-/** Lifts the higher of the two chips that are deepest in one another, if any are wedged: they have room only upwards. */
+/** Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room only upwards. */
 export function liftWedged(simulation: Simulation): void {
-  const { state } = simulation.bodies
+  const { bodies } = simulation
+  const { density, state } = bodies
   const { live, liveCount, pair, points } = simulation.contacts
   let deepest = -WEDGED_OVERLAP
   let higher = -1
+  let lower = -1
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
     const a = pair[2 * c]
@@ -88,19 +91,36 @@ export function liftWedged(simulation: Simulation): void {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= deepest) continue
       deepest = manifold[GAP_NOW]
-      higher = state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+      higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+      lower = a + b - higher
     }
   }
-  if (higher > 0) state[higher * STATE + Y] -= MAX_CORRECTION
+  if (higher < 0) return
+  let lift = MAX_CORRECTION
+  if (density[lower] === Infinity) {
+    // All the way: an obstacle would push it back down.
+    lift = state[higher * STATE + Y] - state[lower * STATE + Y]
+    for (const i of [higher, lower]) {
+      halfExtents(bodies, i, 0, 0)
+      lift += extents[Y]
+    }
+  }
+  state[higher * STATE + Y] -= lift
 }
 
-/** Puts back what others have pressed into a wall, which gives way to nothing. */
-export function keepInside({ bodies, width, height }: Simulation): void {
-  const { state, awake, awakeCount } = bodies
+/** Puts back what others have pressed into a wall, which gives way to nothing, and notes what has come in. */
+export function keepInside(simulation: Simulation): void {
+  const { bodies, ceiling, width, height } = simulation
+  const { inside, state, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
-    const s = awake[n] * STATE
-    halfExtents(bodies, awake[n], WALL_OVERLAP, 0)
+    const i = awake[n]
+    const s = i * STATE
+    halfExtents(bodies, i, WALL_OVERLAP, 0)
     state[s + X] = Math.max(extents[X], Math.min(state[s + X], width - extents[X]))
-    state[s + Y] = Math.min(state[s + Y], height - extents[Y])
+    state[s + Y] = Math.min(
+      ceiling && inside[i] ? Math.max(state[s + Y], extents[Y]) : state[s + Y],
+      height - extents[Y],
+    )
+    if (!inside[i]) updateEntry(simulation, i)
   }
 }

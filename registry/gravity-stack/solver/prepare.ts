@@ -1,3 +1,4 @@
+import { isStatic } from './body'
 import {
   LINEAR_SLOP,
   LOADED_CLOSING,
@@ -12,7 +13,6 @@ import { correctEarly } from './position-correction'
 import { queueImpact } from './restitution'
 import {
   CONTACT,
-  FIRST_CHIP,
   HORIZON,
   INDEX,
   MOTION,
@@ -26,10 +26,10 @@ import {
 
 /** Measures again what has moved, before a sub-step, and queues what will hit in it. */
 export function updateContacts(simulation: Simulation): void {
-  const { bodies, contacts, gravity, h, threshold } = simulation
+  const { bodies, contacts, h, pull, threshold } = simulation
   const { due, near, nearCount, pair, points } = contacts
   const { motion, moved } = bodies
-  const enough = SPECULATIVE_DISTANCE + LOOKAHEAD * h * (threshold - Math.abs(gravity) * h)
+  const enough = SPECULATIVE_DISTANCE + LOOKAHEAD * h * (threshold - pull * h)
   for (let n = 0; n < nearCount; n++) {
     const c = near[n] & INDEX
     const a = pair[2 * c] & INDEX
@@ -42,7 +42,7 @@ export function updateContacts(simulation: Simulation): void {
     const way = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
-      const serves = a < FIRST_CHIP ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
+      const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
       // Where the two move alike, less of their travel counts.
       const spare = (touching ? serves : contacts.data[c * CONTACT + SEPARATION]) - shiftOf(simulation, c)
       due[c] = travel + spare

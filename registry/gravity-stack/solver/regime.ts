@@ -28,7 +28,7 @@ export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   for (let n = 0; n < awakeCount; n++) {
     const inverse = state[awake[n] * STATE + INV_MASS]
     lightest = Math.max(lightest, inverse)
-    heaviest = Math.min(heaviest, inverse)
+    if (inverse > 0) heaviest = Math.min(heaviest, inverse)
     speed = Math.max(speed, speedOf(bodies, awake[n]))
   }
   regime.resting = speed <= RESTING_SPEED

@@ -1,3 +1,4 @@
+import { isStatic } from './body'
 import {
   BLOW_SPEED,
   IMPACT_ITERATIONS,
@@ -6,14 +7,20 @@ import {
   LOOKAHEAD,
   SPECULATIVE_DISTANCE,
 } from './constants'
-import { closingDistance, rateGain, separationAndRate, separationBound, updateContact } from './contact'
+import {
+  closingDistance,
+  rateGain,
+  relativeGain,
+  separationAndRate,
+  separationBound,
+  updateContact,
+} from './contact'
 import { iterate } from './contact-solver'
 import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
 import {
   ARM_TA,
   ARM_TB,
   CONTACT,
-  FIRST_CHIP,
   IMPACTS_SOLVED,
   INV_INERTIA,
   INV_MASS,
@@ -30,8 +37,8 @@ import {
   VELOCITY_BIAS,
   VX,
   WARM_SPIN,
-  WARM_X,
   WARM_Y,
+  X,
   Y,
 } from './state'
 
@@ -51,7 +58,7 @@ const FREE = 1e9
  * leave as it should, from the velocity at the start of the sub-step.
  */
 function foreseeImpact(simulation: Simulation, c: number): boolean {
-  const { bodies, contacts, bounce, gravity, h, threshold } = simulation
+  const { bodies, contacts, bounce, h, pull, threshold } = simulation
   const { motion } = bodies
   const { data: d, pair, points } = contacts
   const k = c * CONTACT
@@ -66,7 +73,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
     // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will take it back.
-    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - Math.abs(gravity) * h) / h
+    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
     const rest = h - from
@@ -102,7 +109,7 @@ export function queueImpact(simulation: Simulation, c: number): void {
 
 /** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
 function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): number {
-  return i < FIRST_CHIP ? 0 : bodies.motion[i * MOTION + axis] + (axis === Y ? gravity * h : 0)
+  return isStatic(bodies, i) ? 0 : bodies.motion[i * MOTION + axis] + (axis < 2 ? gravity[axis] * h : 0)
 }
 
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
@@ -126,7 +133,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
 
 /** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
 function solveImpact(simulation: Simulation, c: number): void {
-  const { bodies, contacts, gravity, h, impactRegime } = simulation
+  const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, next, pair, points, live } = contacts
   const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
@@ -143,11 +150,10 @@ function solveImpact(simulation: Simulation, c: number): void {
   const b = pair[2 * c + 1]
   const ma = a * MOTION
   const mb = b * MOTION
-  const fall = a < FIRST_CHIP ? gravity * h : 0
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
   const gain =
-    d[k + NORMAL_X] * (motion[mb + WARM_Y] - motion[ma + WARM_Y] + fall) -
-    d[k + NORMAL_Y] * (motion[mb + WARM_X] - motion[ma + WARM_X]) +
+    d[k + NORMAL_X] * relativeGain(simulation, c, Y) -
+    d[k + NORMAL_Y] * relativeGain(simulation, c, X) +
     d[k + ARM_TB] * motion[mb + WARM_SPIN] -
     d[k + ARM_TA] * motion[ma + WARM_SPIN]
   d[k + TANGENT_BIAS] = (-gain * time) / h
@@ -173,7 +179,7 @@ function solveImpact(simulation: Simulation, c: number): void {
   for (let n = 0; n < 6; n++) {
     const i = n > 2 ? b : a
     const s = i * STATE + VX + (n % 3)
-    const mass = i < FIRST_CHIP ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
+    const mass = isStatic(bodies, i) ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
     const change = state[s] - kept[6 + n]
     first += mass * change * (kept[6 + n] + (time * gainOf(simulation, i, n % 3)) / h)
     second += mass * change * change
@@ -186,13 +192,13 @@ function solveImpact(simulation: Simulation, c: number): void {
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
     moved[i] = knocked[i] = 1
-    if (i >= FIRST_CHIP) motion[i * MOTION + STRUCK_AT] = time
+    if (!isStatic(bodies, i)) motion[i * MOTION + STRUCK_AT] = time
   }
   // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
-    for (let edge = i < FIRST_CHIP ? -1 : head[i]; edge >= 0; edge = next[edge]) {
+    for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
       if (other === c || asleep[pair[edge ^ 1]] > 0) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)

@@ -1,4 +1,4 @@
-import { speedOf } from './body'
+import { isStatic, speedOf } from './body'
 import {
   LINEAR_SLOP,
   REST_DISTANCE,
@@ -16,7 +16,6 @@ import {
   type Bodies,
   CONTACT,
   EXTENT,
-  FIRST_CHIP,
   SECOND,
   SHAPE,
   type Simulation,
@@ -27,7 +26,7 @@ import {
 } from './state'
 
 /** Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so long enough. */
-export function updateSleep({ bodies, contacts, gravity }: Simulation): void {
+export function updateSleep({ bodies, contacts, pull }: Simulation): void {
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
@@ -45,7 +44,7 @@ export function updateSleep({ bodies, contacts, gravity }: Simulation): void {
     rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
     parent[i] = i
     // Nothing rests on nothing, unless it floats.
-    groupRest[i] = gravity === 0 ? rest[r + 3] : 0
+    groupRest[i] = pull === 0 ? rest[r + 3] : 0
   }
   for (let joining = 0; joining < 2; joining++) {
     for (let n = 0; n < contacts.nearCount; n++) {
@@ -56,7 +55,7 @@ export function updateSleep({ bodies, contacts, gravity }: Simulation): void {
       if (joining === 0) {
         groupRest[a] = rest[a * 4 + 3]
         groupRest[b] = rest[b * 4 + 3]
-      } else if (a >= FIRST_CHIP) joinGroups(bodies, a, b)
+      } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
   bodies.awakeCount = 0
@@ -99,7 +98,7 @@ export function wakeTouching(simulation: Simulation, i: number): void {
 }
 
 export function anyAsleep({ bodies }: Simulation): boolean {
-  return bodies.awakeCount + FIRST_CHIP < bodies.orderCount
+  return bodies.awakeCount + bodies.staticCount < bodies.orderCount
 }
 
 /** Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody. */

@@ -9,8 +9,10 @@
  */
 export const INDEX = 0xffffff
 
-/** Body 0 is the floor, 1 and 2 are the left and right wall: boxes without inverse mass. Chips begin here. */
-export const FIRST_CHIP = 3
+/** Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which collides with nothing in a step. Chips and obstacles begin at 5. */
+export const CEILING = 3
+export const PUSHER = 4
+export const FIRST_CHIP = 5
 
 // Record of `state`, read by every iteration: one cache line a body.
 export const X = 0
@@ -68,6 +70,8 @@ export const SHAPE = 5
  * braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 export class Bodies {
+  /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
+  staticCount = PUSHER
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
   count = FIRST_CHIP
   state: Float64Array = new Float64Array(FIRST_CHIP * STATE)
@@ -88,6 +92,8 @@ export class Bodies {
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 once the body has wholly come into the stage: the ceiling is there for such bodies only. */
+  inside: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Mouse joints that hold the body. */
   held: Uint8Array = new Uint8Array(FIRST_CHIP)
   awake: Int32Array = new Int32Array(FIRST_CHIP)
@@ -155,7 +161,7 @@ export class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
   count = 0
   free = -1
-  /** Body A and body B of each slot, A the lower; B is 0 for a free slot. */
+  /** Body A and body B of each slot: A is static or the lower, B is never static, and 0 for a free slot. */
   pair: Int32Array = new Int32Array(8)
   data: Float64Array = new Float64Array(4 * CONTACT)
   /** Points of the manifold, 0 to 2. */
@@ -239,8 +245,11 @@ export class Simulation {
   /** px, size of the stage. */
   width = 0.5
   height = 0.5
-  /** px/s² downwards. */
-  gravity = 0.5
+  /** px/s², to the right and downwards, and the length of the two. */
+  gravity: Float64Array = new Float64Array(2)
+  pull = 0.5
+  /** Whether the top is closed. */
+  ceiling = false
   bounce = 0.5
   friction = 0.5
   /** px/s of approach below which nothing bounces. */

@@ -1,4 +1,5 @@
-import { capSpeed, setPose, setShape } from './body'
+import { capSpeed, extents, halfExtents, setPose, setShape } from './body'
+import { overlap } from './broad-phase'
 import {
   ANGULAR_DAMPING,
   BOUNCE,
@@ -12,16 +13,20 @@ import {
   WEDGED_STEPS,
 } from './constants'
 import { removeContact, resetContact } from './contact'
+import { updateEntry } from './entry'
 import { makeRoom } from './make-room'
 import { dampingOver, grow, MAX_DAMPING } from './math'
 import { createJoint, movePointer, throwBody } from './mouse-joint'
+import { pushBodies } from './push'
 import { wake, wakeAlone, wakeTouching } from './sleep'
 import {
   ANGLE,
+  CEILING,
   CONTACT,
   FIRST_CHIP,
   INV_MASS,
   NORMAL_IMPULSE,
+  PUSHER,
   SECOND,
   Simulation,
   SPIN,
@@ -34,12 +39,19 @@ import {
 } from './state'
 import { step } from './step'
 
+export interface Vector {
+  x: number
+  y: number
+}
+
 export interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width, no ceiling. */
+  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
   width: number
   height: number
-  /** px/s² downwards. */
-  gravity?: number
+  /** px/s² downwards, or to the right and downwards. */
+  gravity?: number | Vector | undefined
+  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
+  ceiling?: boolean | undefined
   /** Restitution, 0..1. */
   bounce?: number
   /** Coulomb coefficient, 0 or more. */
@@ -111,36 +123,41 @@ export function createWorld(options: WorldOptions) {
   scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
   scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
   impactRegime.relaxation = 1
-  scene.gravity = within(options.gravity, -1e5, 1e5, GRAVITY)
+  scene.gravity[Y] = GRAVITY
+  setGravity(options.gravity)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
   // Floor and walls.
-  for (let i = 0; i < FIRST_CHIP; i++) {
+  for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i
-    setShape(bodies, i, i > 0 ? THICK : FAR, i > 0 ? FAR : THICK, 0, Infinity)
+    const upright = i % CEILING > 0
+    setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
   }
+  scene.ceiling = options.ceiling === true
   enclose(size(options.width), size(options.height))
 
   return {
-    /** Adds a body and returns its id. */
+    /** Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves aside. */
     add(body: BodyOptions): number {
+      const { density } = body
       const i = scene.freeSlots.pop() ?? bodies.count++
       if (bodies.alive.length < bodies.count) grow(bodies)
       // Lists of contacts are by body, contacts by need.
       while (contacts.head.length < bodies.count) grow(contacts)
-      const { density } = body
-      bodies.density[i] = within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
+      const obstacle = density === Infinity
+      bodies.density[i] = obstacle ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
       setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
       bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
       put(i, body)
-      bodies.alive[i] = 1
-      bodies.held[i] = 0
-      wakeAlone(bodies, i)
+      bodies.alive[i] = bodies.inside[i] = 1
+      bodies.held[i] = bodies.asleep[i] = 0
       contacts.head[i] = -1
-      bodies.box[i * 4] = Infinity
       bodies.order[bodies.orderCount++] = i
+      if (obstacle) bodies.staticCount++
+      else wakeAlone(bodies, i)
+      changed(i)
       return i
     },
 
@@ -149,6 +166,7 @@ export function createWorld(options: WorldOptions) {
       if (!bodies.alive[id]) return
       scene.revision++
       wakeTouching(scene, id)
+      if (isObstacle(id)) bodies.staticCount--
       for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === id) joints.splice(n, 1)
       while (contacts.head[id] >= 0) removeContact(contacts, contacts.head[id] >> 1)
       bodies.orderCount = without(bodies.order, id, bodies.orderCount)
@@ -163,7 +181,7 @@ export function createWorld(options: WorldOptions) {
       scene.revision++
       wakeTouching(scene, id)
       put(id, motion)
-      forget(id)
+      changed(id)
     },
 
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
@@ -172,7 +190,7 @@ export function createWorld(options: WorldOptions) {
       scene.revision++
       wakeTouching(scene, id)
       setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
-      forget(id)
+      changed(id)
       scene.cramped = WEDGED_STEPS
     },
 
@@ -201,21 +219,30 @@ export function createWorld(options: WorldOptions) {
       shift(1)
     },
 
-    /** Changes gravity (px/s²), bounce or friction; wakes everything. */
-    configure(change: { gravity?: number; bounce?: number; friction?: number }): void {
-      const gravity = within(change.gravity, -1e5, 1e5, scene.gravity)
+    /** Changes gravity (px/s²), ceiling, bounce or friction; wakes everything. */
+    configure(change: Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>): void {
+      const { gravity, pull } = scene
+      const [oldX, oldY] = gravity
+      setGravity(change.gravity)
       scene.friction = within(change.friction, 0, 100, scene.friction)
       // What rests weighs as much more or less at once: else a pile hops.
-      const share = within(gravity / (scene.gravity || gravity || 1), 0, 1000, 1)
+      const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
       for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
         contacts.data[k + NORMAL_IMPULSE] *= share
         contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
         contacts.data[k + TANGENT_IMPULSE] *= scene.friction > 0 ? share : 0
       }
       scene.revision++
-      scene.gravity = gravity
       scene.bounce = within(change.bounce, 0, 1, scene.bounce)
+      scene.ceiling = change.ceiling ?? scene.ceiling
+      encloseTop()
       wakeAll()
+      for (let n = 0; n < bodies.awakeCount; n++) updateEntry(scene, bodies.awake[n])
+    },
+
+    /** Pushes what is in the way of a disc that goes from one place to another; see `pushBodies`. */
+    push(radius: number, x: number, y: number, goX: number, goY: number, seconds: number): void {
+      pushBodies(scene, radius, x, y, goX, goY, seconds)
     },
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
@@ -236,10 +263,12 @@ export function createWorld(options: WorldOptions) {
         within(x, -FAR, FAR, bodies.state[id * STATE + X]),
         within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
       )
-      if (bodies.alive[id]) {
+      if (bodies.alive[id] && !isObstacle(id)) {
         scene.revision++
         wakeTouching(scene, id)
         bodies.held[id]++
+        // What is taken as it comes in has a mass from now on.
+        updateEntry(scene, id)
         joints.push(joint)
       }
       return {
@@ -344,8 +373,27 @@ export function createWorld(options: WorldOptions) {
     setPose(bodies, 0, width / 2, height + thick, 0)
     setPose(bodies, 1, -thick, 0, 0)
     setPose(bodies, 2, width + thick, 0, 0)
-    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far])
+    setPose(bodies, CEILING, width / 2, -thick, 0)
+    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
+    encloseTop()
     for (let i = FIRST_CHIP; i < bodies.count; i++) forget(i)
+  }
+
+  /** An open ceiling is where nothing comes near it. */
+  function encloseTop(): void {
+    bodies.box[CEILING * 4] = scene.ceiling ? -FAR : Infinity
+  }
+
+  function setGravity(given: number | Vector | undefined): void {
+    const { gravity } = scene
+    const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
+    gravity[X] = within(x, -1e5, 1e5, gravity[X])
+    gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
+    scene.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
+  }
+
+  function isObstacle(i: number): boolean {
+    return bodies.density[i] === Infinity
   }
 
   function wakeAll(): void {
@@ -354,9 +402,27 @@ export function createWorld(options: WorldOptions) {
     }
   }
 
-  /** Body `i` was moved or changed by hand: its box and its contacts are made anew. */
+  /** Body `i` has come, or was moved or changed by hand. */
+  function changed(i: number): void {
+    const { box, boxed, state } = bodies
+    forget(i)
+    if (!isObstacle(i)) {
+      updateEntry(scene, i)
+      return
+    }
+    // What is near an obstacle wakes, and what is in it moves aside.
+    halfExtents(bodies, i, 0, 0)
+    for (let side = 0; side < 4; side++)
+      box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
+    boxed[i] = 1
+    for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(scene, j)
+    scene.revision++
+    scene.cramped = WEDGED_STEPS
+  }
+
+  /** The contacts of body `i` are made anew, and the box of a chip. */
   function forget(i: number): void {
-    bodies.box[i * 4] = Infinity
+    if (!isObstacle(i)) bodies.box[i * 4] = Infinity
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
   }
 }
@@ -393,6 +459,7 @@ function within(value: number | undefined, least: number, most: number, otherwis
 /** Takes `i` out of the first `count` of a list; returns how many are left. */
 function without(list: Int32Array, i: number, count: number): number {
   const at = list.indexOf(i)
+  if (at < 0) return count
   list.copyWithin(at, at + 1, count)
   return count - 1
 }
