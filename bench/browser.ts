@@ -1,8 +1,9 @@
-// What the stage costs in a real browser, beside two others of the same chips: one of the method of the component's first
-// design, one with matter-js. Chromium's trace and counters, with the processor as it is and slowed down four times.
+// What the stage costs in a real browser, beside two others of the same chips: one of the method of the
+// component's first design, one with matter-js. Chromium's trace and counters, with the processor as it is
+// and slowed down four times.
 //   npm run bench:browser                            writes bench/results/browser.json; about ten minutes
 //   npm run bench:browser -- --stage gravity-stack   one stage, written nowhere
-//   npm run bench:browser -- --plan                  only the cost of the plan, into the results that are there; three minutes
+//   npm run bench:browser -- --plan                  the cost of the plan alone, into the results; 3 min
 //   npm run bench:browser -- --out folder            writes there
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -37,7 +38,10 @@ const drops = [
   [1000, 5, 1],
 ] as const
 const crowd = drops[3]
-/** Times that each of them, and the interactions, are played: of one the worst frame is the machine's as often as the stage's. */
+/**
+ * How often each drop and each interaction is played. A single worst frame is often the machine's, not the
+ * stage's.
+ */
 const plays = 3
 /** Pages whose first drop is timed: the code is cold, so that a single one says little. */
 const firstDrops = 5

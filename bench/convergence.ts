@@ -1,7 +1,8 @@
 // Looks for what the solver gets wrong as it comes, and right with more sub-steps:
 //   npx tsx bench/convergence.ts [--scenes 1000 --seed 1 --chips 12]
-// Random scenes are stopped four times a second and gone on with from there, for six frames, with 6 sub-steps and with 32, 64 and 128.
-// Where these three agree on a chip and the 6 do not, it is printed, the worst first: a defect, or many hits within one sub-step.
+// Random scenes are stopped four times a second and gone on with from there, for six frames, with 6 sub-steps
+// and with 32, 64 and 128. Where these three agree on a chip and the 6 do not, it is printed, the worst
+// first: a defect, or many hits within one sub-step.
 import { parseArgs } from 'node:util'
 import fc from 'fast-check'
 import { createWorld } from '../registry/gravity-stack/world'
@@ -21,7 +22,9 @@ const asItComes = 6
 const finer = [32, 64, 128]
 /** Frames between two states, before the first, and after the last. */
 const [every, first, last] = [15, 30, 120]
-/** Frames gone on from a state, and those at whose end the runs are compared: an impact may come a moment sooner. */
+/**
+ * Frames simulated from a state, and those after which runs are compared: an impact may come a moment sooner.
+ */
 const onward = 6
 const compared = 4
 /** px/s by which the 6 have to be off in each of these, and the share of it by which the others may be. */

@@ -1,5 +1,5 @@
 // Prints microseconds per frame, all chips awake, beside another engine measured in the same run.
-//   npx tsx bench/cost.ts [--engine ours] [--against box2d3-wasm-simd] [--chips 12,60,250,1000] [--substeps 4,8]
+//   npx tsx bench/cost.ts [--engine ours] [--against box2d3-wasm-simd] [--chips 12,60] [--substeps 4,8]
 //                         [--kind pills|badges|mixed] [--rounds 3] [--ms 800]
 import { parseArgs } from 'node:util'
 import type { Kind } from '../scenes/piles'

@@ -1,5 +1,5 @@
 // Prints how wrong an engine is, scene by scene, beside the target.
-//   npx tsx bench/errors.ts [--engine ours,planck] [--substeps 4,8,16] [--scene stack,pour] [--seeds 3] [--all]
+//   npx tsx bench/errors.ts [--engine ours,planck] [--substeps 4,8,16] [--scene stack] [--seeds 3] [--all]
 // --scene takes parts of names. Without --all and --scene the piles of 250 and 1000 chips are left out.
 import { parseArgs } from 'node:util'
 import { scenes } from '../scenes'

@@ -1,4 +1,4 @@
-// A check that can't fail says nothing: each one here meets a solver that is broken in just the way it watches for.
+// A check that can't fail says nothing. Each one here meets a solver that is broken in just the way it tests.
 import { afterEach, describe, expect, it, vi } from 'vitest'
 import { FIRST_CHIP, SPIN, STATE, VX, VY, X, Y } from '../registry/gravity-stack/solver/state'
 import type { World } from '../registry/gravity-stack/world'
@@ -156,7 +156,7 @@ describe('a random scene shows', () => {
   })
 
   it('who sleeps late, from when the last chip can have landed', () => {
-    // From the top of the stage a fall takes half a second and each bounce half as long as what came before it.
+    // A fall from the top of the stage takes half a second, and each bounce half as long as the one before.
     const fall = { ...drop, conditions: { ...air, gravity: 2720, bounce: 0.5 }, chips: [box(100, 0)] }
     expect(lastLanding(fall)).toBeCloseTo(1.5, 9)
     const thrown = { ...fall, chips: [{ ...box(100, 340), vx: 300, vy: 400 }] }

@@ -2,7 +2,7 @@
 //   npm run bench                     everything; takes up where an interrupted run stopped
 //   npm run bench -- --quick          two scenes, each engine as it comes, under a minute, writes nothing
 //   npm run bench -- --scene pour,stack --engine ours,planck
-//   npm run bench -- --errors         errors alone, which are kept for the next run: they never change by themselves
+//   npm run bench -- --errors         errors alone, which the next run keeps
 //   npm run bench -- --out folder     writes there, parts too (the whole goes to bench/results)
 //   npm run bench -- --minutes 5      stops after five; the next call goes on from there
 //   npm run bench -- --fresh          forgets what was measured before
@@ -51,7 +51,8 @@ const singles = (kind: 'asleep' | 'allocation') =>
     ? []
     : engines.map(({ name, settings }) => ({ kind, engine: name, setting: settings[0], chips: 60 }))
 
-// First every engine and setting once, then the simulations that the claim hangs on; the rest with the time that is left.
+// First every engine and setting once, then the simulations that the claim needs, then the rest in the time
+// left.
 if (!errors) {
   await timing(async () => {
     await times.pours(sizes.filter((chips) => chips <= 1000))

@@ -1,4 +1,4 @@
-// How many words land the right way up, and what that costs: the bounds of D-004, each beside what is measured.
+// How many words land the right way up, and what that costs: the bounds of D-004 beside what is measured.
 //   npm run bench:upright                writes nothing; about ten minutes
 //   npm run bench:upright -- --part demos,slow
 import { parseArgs } from 'node:util'
@@ -15,7 +15,7 @@ const wanted = (part: string) => values.part.split(',').includes(part)
 const widths = [375, 768, 1216]
 const browser = await launch()
 
-/** Words drawn more than 91° over, of how many, and the most that a disc is off, degrees. Runs in the page. */
+/** Words drawn more than 91° over, the number of words, and the most that a disc is off. Runs in the page. */
 function read() {
   const result = { words: 0, over: 0, askew: 0 }
   for (const chip of document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')) {

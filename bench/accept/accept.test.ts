@@ -1,4 +1,4 @@
-// `npm run accept` runs as it is called, and a broken solver fails in it: each group meets a fault of its kind.
+// `npm run accept` runs as people call it, and a broken solver fails in it: each group meets its own fault.
 import { execFile } from 'node:child_process'
 import { join } from 'node:path'
 import { promisify } from 'node:util'

@@ -26,7 +26,7 @@ function partsOf(subjects: Subject[], isKnown: (name: string, seed: number) => b
     })
 }
 
-/** Runs already played by the same solver in the same scenes. A command that was stopped goes on from there. */
+/** Runs that the same solver has played in the same scenes. A command that was stopped goes on from there. */
 function openKept(bundles: string[]) {
   const digest = createHash('sha256').update(process.version)
   for (const file of bundles) digest.update(readFileSync(file))
@@ -86,7 +86,7 @@ function progress(total: number) {
   }
 }
 
-/** The runs of each subject, in the order of their seeds. Those that are `fresh` are played whatever is known of before. */
+/** The runs of each subject by seed. Those that are `fresh` are played though they are kept. */
 export async function playAll(subjects: Subject[], child: string, worldFile: string, fresh: boolean) {
   const kept = openKept([child, worldFile])
   const parts = partsOf(subjects, (name, seed) => !fresh && kept.get(name, seed) !== undefined)

@@ -1,4 +1,4 @@
-// Pours with the drag and the sleep of a page: all chips at once, and one after another as the stage releases them.
+// Pours with the drag and sleep of a page: all chips at once, or one by one as the stage releases them.
 import { reach, releasePose, releaseTime } from '../../registry/gravity-stack/stage/release'
 import { createWorld } from '../../registry/gravity-stack/world'
 import { worstOverlap } from '../../scenes/exact-distance'
@@ -52,7 +52,7 @@ function playPour(kind: Kind, count: number, seed: number): Run {
   return play(world, stage, chips, ids, () => false)
 }
 
-/** The stage's own schedule: `release.ts` says when and where each chip starts, shapes alone come from the seed. */
+/** The stage's own schedule: `release.ts` says when and where each chip starts. The seed makes the shapes. */
 function playDrop(kind: Kind, count: number, seed: number): Run {
   const stage = pourStage(count)
   const world = createWorld({ ...stage, ...aired })

@@ -33,7 +33,7 @@ export type Group = {
   name: string
   title: string
   subjects: Subject[]
-  /** Rows of the runs of each subject, in the order of its seeds; a subject that was not played is not there. */
+  /** Rows of the runs of each subject, by seed. A subject that was not played has none. */
   rows(runs: Map<string, Run[]>): Omit<Row, 'group'>[]
 }
 

@@ -11,7 +11,7 @@ export type Timing = {
   ratio: { low: number; median: number; high: number }
 }
 
-/** A solver counts as dearer where three rounds of four say so: the same one beside itself comes out a little above or below 1. */
+/** A solver counts as dearer if three rounds of four say so: one beside itself varies around 1. */
 export const isDearer = ({ ratio }: Timing) => ratio.low > 1
 
 export async function timings(now: Solver, before: Solver): Promise<Timing[]> {

@@ -1,4 +1,4 @@
-// How much a frame does, awake: what the solver counts itself, and how much of its code runs, which no solver can miscount.
+// The work of a frame, all awake: what the solver counts itself, and how much of its code runs, as V8 counts.
 import { readFileSync } from 'node:fs'
 import { type Profiler, Session } from 'node:inspector/promises'
 import { setFlagsFromString } from 'node:v8'
@@ -50,7 +50,7 @@ async function count(chips: number, seed: number): Promise<Run> {
   await session.post('Profiler.enable')
   // Before the code is compiled: blocks compiled without counters are never counted.
   await session.post('Profiler.startPreciseCoverage', { callCount: true, detailed: true })
-  // The same text a second time would be taken from the cache, without counters: each run has a script of its own.
+  // Each run has a script of its own: the same text would come from the cache, without counters.
   const filename = `world-${chips}-${seed}.js`
   const source = `${readFileSync(worldFile(), 'utf8')};world // ${filename}`
   const script = new Script(source, { filename })

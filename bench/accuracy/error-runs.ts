@@ -51,7 +51,9 @@ export function openErrorRuns(
     return [errorJob(engine, scene, [first], 1), errorJob(engine, scene, few, 1)]
   }
 
-  /** With the time that is left: a brief engine from as many seeds, and at as many settings, as the others; one setting at a time. */
+  /**
+   * In the time that is left, slow engines get as many seeds and settings as others, one setting at a time.
+   */
   function furtherJobsOf(engine: Engine, scene: Scene): ErrorJob[] {
     if (quick || !engine.brief || scene.seeds === 1 || largeSize(scene)) return []
     return engine.settings.map((setting, i) =>
@@ -107,7 +109,9 @@ export function openErrorRuns(
       )
     },
 
-    /** Runs them with other jobs, two at a time: what comes of them does not depend on what else the machine does. */
+    /**
+     * Runs them with other jobs, two at a time: their outcome does not depend on the machine's other work.
+     */
     async play(title: string, jobs: ErrorJob[], others: Job[], until: number) {
       await runAll(title, [...jobs, ...others], 2, until)
       // Where all settings together took too long, or one broke down, each has a process of its own.

@@ -1,4 +1,4 @@
-// What our solver answers in every scene of the benchmark, and how much work that takes: the same numbers everywhere.
+// Errors and work of our solver in every scene of the benchmark. They are the same on every machine.
 import { scenes } from '../../scenes'
 import type { Scene } from '../../scenes/scene'
 import { ours } from '../engines/ours'

@@ -8,7 +8,9 @@ import { Field, type StageProps } from './chips'
 
 const damped = { ...conditions, linearDamping: LINEAR_DAMPING, angularDamping: ANGULAR_DAMPING }
 
-/** The method of the component's first design, with a loop that runs from mount on and draws every chip in every frame. */
+/**
+ * The method of the component's first design. Its loop runs from mount on and draws every chip in each frame.
+ */
 export default function Stage({ chips, stagger, width, height }: StageProps) {
   const root = React.useRef<HTMLDivElement>(null)
   React.useEffect(() => {

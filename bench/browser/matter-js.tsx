@@ -5,7 +5,10 @@ import { conditions } from '../../scenes/scene'
 import { walls } from '../engines/engine'
 import { Field, type StageProps } from './chips'
 
-/** Matter with DOM elements, the way its users build it: Engine, Runner, a mouse constraint, and a loop that writes transforms. */
+/**
+ * Matter with DOM elements as its users build it: Engine, Runner, a mouse constraint, and a loop of
+ * transforms.
+ */
 export default function Stage({ chips, stagger, width, height }: StageProps) {
   const root = React.useRef<HTMLDivElement>(null)
   React.useEffect(() => {

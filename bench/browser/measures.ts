@@ -60,7 +60,7 @@ export async function timeFirstDrop(browser: Browser, stage: StageName, throttle
   })
 }
 
-/** Script of a whole drop of 60 chips from their view to their rest, with the plan of how they will lie or without it. */
+/** Script of a drop of 60 chips from view to rest, with the plan of how they will lie or without it. */
 export async function timePlan(browser: Browser, stage: StageName, throttle: number, upright: boolean) {
   const conditions = { stage, chips: 60, stagger: 150, throttle, above: 3000 }
   return visit(browser, conditions, { upright }, async (page, _, start) => {
@@ -167,7 +167,8 @@ export async function weighHeap(stage: StageName) {
     return await visit(browser, conditions, { restless: true }, async (page, session, start) => {
       await start()
       await marked(page, 'drawn')
-      // All released; and for half a minute what is compiled grows, which is kept but is nothing of the stage's.
+      // All are released. For half a minute compiled code grows; the heap keeps it, but it is not the
+      // stage's.
       await wait(heapSeconds)
       await session.send('HeapProfiler.enable')
       const frames = () => page.evaluate(() => window.observed.frames)

@@ -8,8 +8,9 @@ declare global {
 const selector = '[data-slot=gravity-stack-chip]'
 
 /**
- * Runs in a measured page before its stage and keeps what each of its frames writes to the chips: played again, it is a
- * drop as the browser would draw it if physics took no time at all. Marks the first frame of that, and its end.
+ * Runs in a measured page before its stage and keeps what each of its frames writes to the chips: played
+ * again, it is a drop as the browser would draw it if physics took no time at all. Marks the first frame of
+ * that, and its end.
  */
 export function record() {
   const frames: { chip: HTMLElement; state?: string; transform: string }[][] = []

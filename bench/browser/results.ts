@@ -4,7 +4,9 @@ export type StageName = 'gravity-stack' | 'circle-chains' | 'matter-js'
 /** ms a frame on the main thread. */
 export type FrameCost = { median: number; p99: number; worst: number }
 
-/** A drop from its first frame until all lie still, or as long as given for a stage that never does: the median of three, number by number. */
+/**
+ * A drop from its first frame until all lie still, or for the given time: each number is the median of three.
+ */
 export type Drop = {
   chips: number
   /** ms between releases. */
@@ -28,7 +30,10 @@ export type Drop = {
   garbage: { longest: number; count: number }
 }
 
-/** By throttle: ms of the processor for script of a drop of 60 chips from view to rest, with the plan and without, and of the plan's longest slice; medians. */
+/**
+ * By throttle, medians: ms of the processor for script of a drop of 60 chips from view to rest, with the plan
+ * and without, and for the plan's longest slice.
+ */
 export type PlanCost = {
   commit: string
   costs: Record<string, { planned: number; plain: number; slice: number }>
@@ -38,11 +43,14 @@ export type StageResult = {
   /** Bytes of its script, minified and compressed, all but React and `cn`. */
   bytes: number
   drops: Drop[]
-  /** Frames a second of a thousand chips drawn as in the drop, without the physics: of a stage that rests, the median of three. */
+  /** Frames a second of a thousand chips drawn as in the drop, without physics; the median of three. */
   replay?: number
   /** Of a stage that plans how its chips will lie. */
   plan?: PlanCost
-  /** ms of script, style and layout between the view of 60 chips and their first frame, the median of five pages, by throttle. */
+  /**
+   * By throttle: ms of script, style and layout from view to first frame of 60 chips; the median of five
+   * pages.
+   */
   firstDrop: Record<string, number>
   /** Layouts from the server's markup to the first frame, 60 chips. */
   mountLayouts: number
@@ -52,9 +60,15 @@ export type StageResult = {
   layers: { most: number; after: number }
   /** Writes to chips' styles a frame while they fall; frames and writes in the second after the drop. */
   writes: { perFrame: number; after: number; framesAfter: number }
-  /** ms, the slowest interaction while 60 chips settle, the median of three pages, by throttle; 16 is the least a browser reports. */
+  /**
+   * By throttle: ms of the slowest interaction while 60 chips settle; the median of three pages. Browsers
+   * report 16 at least.
+   */
   interaction: Record<string, number>
-  /** 30 s of 60 chips at work, after 30 s of the same: bytes allocated a frame, growth of what is kept, and the heap second by second, bytes. */
+  /**
+   * 30 s of 60 chips at work, after 30 s of the same, in bytes: allocated a frame, growth of what is kept,
+   * and the heap in each second.
+   */
   heap: { perFrame: number; growth: number; samples: number[] }
 }
 

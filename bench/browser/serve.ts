@@ -1,4 +1,4 @@
-// Serves the measured pages: one stage each, rendered on the server, its script as a production build of an app would have it.
+// Serves the measured pages: one stage each, rendered on the server, with the script of a production build.
 import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import type { AddressInfo } from 'node:net'

@@ -100,7 +100,10 @@ export class Trace {
     ).length
   }
 
-  /** What each frame of the main thread cost between two times; a frame reaches from one that the browser begins to the next. */
+  /**
+   * The cost of each frame of the main thread between two times. A frame lasts until the browser begins the
+   * next.
+   */
   frames(from: number, to: number) {
     const within = ({ ts }: TraceEvent) => ts >= from && ts <= to
     const begins = this.main

@@ -1,4 +1,4 @@
-// A page under measurement: opened as the server sends it, its marks waited for. Whoever imports this has a browser, and the pages served.
+// Opens a page that is measured, and waits for its marks. An import starts the browser and the server.
 import { type Browser, type BrowserContext, type CDPSession, chromium, type Page } from '@playwright/test'
 import { pourStage } from '../../scenes/piles'
 import { bringBrowser } from '../../scripts/browser.mjs'
@@ -73,7 +73,9 @@ export async function visit<T>(
 /** The marks that each page has told of. */
 const told = new WeakMap<Page, Set<string>>()
 
-/** Until the page has set this mark. It is asked nothing: an answer would cost the very frames that are measured. */
+/**
+ * Waits until the page has set this mark. The page is asked nothing: an answer would cost measured frames.
+ */
 export async function marked(page: Page, name: string, seconds = 60) {
   const end = performance.now() + 1000 * seconds
   while (!told.get(page)?.has(name)) {

@@ -4,10 +4,11 @@ import { rolldown } from 'rolldown'
 import { root } from './root'
 
 /**
- * Bundles a worker of the benchmark as Vite builds an app: it answers calls of one function of a module in `bench/`. `world` is
- * a file that stands in for the solver's `world.ts`. Not with esbuild, which turns the constants of a bundle into variables: the
- * compiler then looks every one of them up, and a solver that names its offsets is half as slow again. What is imported late
- * stays a file of its own, or every process would load every engine.
+ * Bundles a worker of the benchmark as Vite builds an app: it answers calls of one function of a module in
+ * `bench/`. `world` is a file that stands in for the solver's `world.ts`. Not with esbuild, which turns the
+ * constants of a bundle into variables: the compiler then looks every one of them up, and a solver that names
+ * its offsets is half as slow again. What is imported late stays a file of its own, or every process would
+ * load every engine.
  */
 export async function bundleWorker(module: string, name: string, world?: string) {
   const own = join(root, 'registry/gravity-stack/world')
@@ -32,7 +33,7 @@ export async function bundleWorker(module: string, name: string, world?: string)
           world && importer && resolve(dirname(importer), id) === own ? world : null,
       },
       {
-        // Files named inside node_modules stay outside the bundle too: WebAssembly is loaded from beside them.
+        // Files inside node_modules stay outside the bundle: WebAssembly is loaded from beside them.
         name: 'keep-packages-outside',
         resolveId(id, importer) {
           if (!importer || !id.includes('node_modules')) return null

@@ -2,9 +2,9 @@ import { join } from 'node:path'
 import { type InputOptions, rolldown } from 'rolldown'
 
 /**
- * One script of a module in `folder` that holds `contents`, as Vite builds an app. Not with esbuild, which turns the constants of a
- * bundle into variables: the compiler then looks every one of them up, and longer code takes longer to get warm. `name` is the
- * global that an iife leaves its exports in.
+ * One script of a module in `folder` that holds `contents`, as Vite builds an app. Not with esbuild, which
+ * turns the constants of a bundle into variables: the compiler then looks every one of them up, and longer
+ * code takes longer to get warm. `name` is the global that an iife leaves its exports in.
  */
 export async function script(
   contents: string,

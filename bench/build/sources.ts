@@ -5,8 +5,9 @@ import { build } from 'esbuild'
 import { root } from './root'
 
 /**
- * A digest of every file of the project that these modules need, as the bundler finds them: a figure is kept for as long as it
- * stays the same. Packages are told by their versions. What is imported late is another module's: name it if it counts.
+ * A digest of every file of the project that these modules need, as the bundler finds them: a figure is kept
+ * for as long as it stays the same. Packages are told by their versions. What is imported late is another
+ * module's: name it if it counts.
  */
 export async function sourceDigest(modules: string[]) {
   const hash = createHash('sha1')

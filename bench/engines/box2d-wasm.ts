@@ -2,10 +2,11 @@ import { cornerRadius } from '../../scenes/exact-distance'
 import { frame, numbersPerChip } from '../../scenes/scene'
 import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
-// biome-ignore lint/suspicious/noExplicitAny: the package types its builds apart, and both are used through one adapter
+// biome-ignore lint/suspicious/noExplicitAny: one adapter for two builds with types apart
 type Box2D = any
 
-// The package's own entry picks the SIMD build wherever Node can run it; both are measured, so the files are named.
+// The package's entry picks the SIMD build where Node can run it. Both builds are measured, so files are
+// named.
 const builds = {
   // @ts-expect-error no types beside the file
   plain: () => import('../../node_modules/box2d3-wasm/build/dist/es/compat/Box2D.compat.mjs'),
@@ -13,7 +14,7 @@ const builds = {
   simd: () => import('../../node_modules/box2d3-wasm/build/dist/es/deluxe/Box2D.deluxe.mjs'),
 }
 
-/** Contact stiffness is clamped by the engine to a quarter of the sub-step rate: "stiff" asks for all of that. */
+/** The engine clamps contact stiffness to a quarter of the sub-step rate; "stiff" asks for all of that. */
 const stiff = 1e4
 
 function box2d(name: string, build: keyof typeof builds): Engine {
@@ -87,7 +88,8 @@ function box2d(name: string, build: keyof typeof builds): Engine {
       })
       return {
         step: () => b2.b2World_Step(world, frame, setting.substeps),
-        // Its objects' properties cost more a chip than a step does: position, cosine and sine are read where they lie.
+        // Reading properties of its objects costs more than a step: position, cosine and sine are read from
+        // memory.
         read(out) {
           bodies.forEach((body, i) => {
             const transform = b2.b2Body_GetTransform(body)

@@ -1,5 +1,6 @@
-// The method the component's first design described: a chip collides as up to three circles along its length, two
-// passes of impulses at 1/120 s, and 80 % of any overlap beyond 0.5 px taken out of the positions, half by each side.
+// The method the component's first design described: a chip collides as up to three circles along its length,
+// two passes of impulses at 1/120 s, and 80 % of any overlap beyond 0.5 px taken out of the positions, half
+// by each side.
 import { type Chip, frame, numbersPerChip, type Scene } from '../../scenes/scene'
 import type { Engine, Setting } from './engine'
 

@@ -22,7 +22,10 @@ export type Engine = {
   settings: Setting[]
   /** the one of them beside the default that stands for all others where there is no time for them */
   accurate: Setting
-  /** takes so long, or stands beside a faster build of its own, that its pours are simulated from fewer seeds, and its largest piles after all others */
+  /**
+   * is so slow, or has a faster build beside it, that its pours have fewer seeds and its largest piles come
+   * last
+   */
   brief?: true
   /** another build of the same engine, whose chips move by the same bits: its errors stand for both */
   sameBitsAs?: string
@@ -37,7 +40,9 @@ export const pixelsPerMetre = 100
 /** Thickness of the boxes that stand for floor and walls, px. */
 const wallThickness = 1000
 
-/** Floor and walls as boxes: centre and half size in px. They reach far past the stage, which has no ceiling. */
+/**
+ * Floor and walls as boxes: centre and half size, px. They reach far past the stage, which has no ceiling.
+ */
 export function walls(scene: { width: number; height: number }) {
   const t = wallThickness / 2
   const tall = scene.height + 10_000

@@ -1,7 +1,7 @@
 import { ours } from '../publish/report'
 import type { Engine } from './engine'
 
-/** Each engine's module in this folder, loaded late: a process that measures one engine holds no other engine's code. */
+/** Each engine's module, loaded late: a process that measures one engine holds no other engine's code. */
 const engines: Record<string, [module: string, load: () => Promise<Engine>]> = {
   'gravity-stack': ['ours', async () => (await import('./ours')).ours],
   'circle-chains': ['circle-chains', async () => (await import('./circle-chains')).circleChains],

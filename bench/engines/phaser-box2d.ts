@@ -2,7 +2,7 @@ import { cornerRadius } from '../../scenes/exact-distance'
 import { frame, numbersPerChip } from '../../scenes/scene'
 import { type Engine, pixelsPerMetre as ppm, walls } from './engine'
 
-/** Contact stiffness is clamped by the engine to a quarter of the sub-step rate: "stiff" asks for all of that. */
+/** The engine clamps contact stiffness to a quarter of the sub-step rate; "stiff" asks for all of that. */
 const stiff = 1e4
 
 // biome-ignore lint/suspicious/noExplicitAny: the package ships no types

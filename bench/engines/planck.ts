@@ -23,7 +23,8 @@ export const planck: Engine = {
     const { conditions } = scene
     Settings.velocityThreshold = conditions.bounceThreshold / ppm
     const world = new World({ gravity: Vec2(0, conditions.gravity / ppm), allowSleep: sleep })
-    // Boxes wear a skin outside their corners: taken off them here, so that they are as large as everywhere else.
+    // Its boxes have a skin outside their corners. It is taken off here, so that they are as large as all
+    // others.
     const skin = Settings.polygonRadius
     const surface = { friction: conditions.friction, restitution: conditions.bounce }
     for (const wall of walls(scene)) {

@@ -53,7 +53,7 @@ function asked(scene: FuzzScene) {
   }
 }
 
-/** s after which nothing can be in the air any more: flight up and down from the highest start, and its bounces. */
+/** s after which nothing is in the air any more: flight up and down from the highest start, and bounces. */
 export function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
   const { gravity, bounce } = conditions
   const highest = Math.max(
@@ -75,8 +75,8 @@ export function lastLanding({ chips, acts, conditions, height }: FuzzScene) {
 }
 
 /**
- * Plays a scene and gives the first thing that went wrong; undefined if all holds. `only` looks at one check. What was
- * asked is put into `made`.
+ * Plays a scene and gives the first thing that went wrong; undefined if all holds. `only` looks at one check.
+ * What was asked is put into `made`.
  */
 export function playFuzz(given: FuzzScene, only?: Check, made = new Set<Check>()): Failure | undefined {
   const scene = sane(given)

@@ -1,5 +1,5 @@
-// Makes random scenes from a seed, and the same ones from the same seed. Whole numbers wherever they do, so that what a
-// failure shrinks to can be read.
+// Makes random scenes from a seed, and the same ones from the same seed. Whole numbers wherever they do, so
+// that what a failure shrinks to can be read.
 import fc from 'fast-check'
 import { type Act, apart, type FuzzScene } from '../../scenes/fuzzed'
 import type { Chip, Conditions } from '../../scenes/scene'

@@ -1,4 +1,4 @@
-// Bytes a page has to load for each engine: what its adapter imports, bundled, minified, gzipped; WebAssembly counted.
+// Bytes that a page has to load for each engine: its imports bundled, minified and gzipped, with WebAssembly.
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { gzipSync } from 'node:zlib'

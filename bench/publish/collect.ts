@@ -70,7 +70,7 @@ export async function collect(
     ),
   )
 
-  /** Every setting without a place on a scene's plot, why, and what it costs at least, where that is known. */
+  /** Every setting without a place on a scene's plot, the reason, and its least cost where that is known. */
   const missing: MissingRow[] = engines.flatMap((engine) =>
     scenes.flatMap((scene) =>
       swept(engine).flatMap((setting) => {

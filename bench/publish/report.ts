@@ -12,11 +12,14 @@ export type ErrorRow = {
   errors: (number | null)[]
   seeds: number
 }
-/** Rounds that a cost is the median of, and how far they lie apart: largest over smallest, null when there is one. */
+/** How many rounds a cost is the median of, and the largest over the smallest of them, null for one round. */
 type Rounds = { rounds: number; spread: number | null }
 /** Microseconds per frame of the scene. */
 export type SceneCostRow = { engine: string; setting: Setting; scene: string; cost: number } & Rounds
-/** `cost` is null where a run was given up: µs per frame are then known to be `atLeast` so many, or the reason says why. */
+/**
+ * `cost` is null where a run was given up. Then `atLeast` is a lower bound in µs per frame, or `reason` says
+ * why.
+ */
 export type PourCostRow = {
   engine: string
   setting: Setting
@@ -25,7 +28,9 @@ export type PourCostRow = {
   atLeast?: number
   reason?: string
 } & Rounds
-/** A setting that has no place on a scene's plot, and why; what it costs at least, µs per frame, where that is known. */
+/**
+ * A setting without a place on a scene's plot, the reason, and its least cost in µs per frame where known.
+ */
 export type MissingRow = {
   engine: string
   setting: Setting
@@ -46,7 +51,9 @@ export type Results = {
   machine: { cpu: string; cores: number; memoryGB: number; system: string; node: string }
   versions: Record<string, string>
   quick: boolean
-  /** Minutes that the last sitting took, whether others came before it, and the share of the processors others had. */
+  /**
+   * Minutes of the last sitting, whether others came before it, and the share of the processors others had.
+   */
   minutes: number
   resumed: boolean
   /** share of the simulations, from which errors are read, that were done in earlier runs */
@@ -128,7 +135,7 @@ export type Verdict = {
   beaten: Point[]
   /** peers that would be exceptions too, if errors below the floor counted: from cheap to dear */
   tied: Point[]
-  /** peers' settings without a place here that are not known to cost more than our default: what the claim leaves open */
+  /** peers' settings without a place here that may cost less than our default: the claim leaves them open */
   open: MissingRow[]
 }
 

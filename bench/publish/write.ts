@@ -56,7 +56,10 @@ export function printResults(results: Results, engines: Engine[]) {
 
 const quote = (text: string) => `"${text}"`
 
-/** Writes all of it as JSON, errors and costs as CSV too; each file stands for itself: what was measured, when and where is in every line. */
+/**
+ * Writes all of it as JSON, errors and costs as CSV too. Every line of a CSV says what was measured, when and
+ * where.
+ */
 export function writeResults(results: Results, folder: string) {
   mkdirSync(folder, { recursive: true })
   writeFileSync(join(folder, 'results.json'), `${JSON.stringify(results, null, 1)}\n`)

@@ -1,4 +1,4 @@
-// What one job of the benchmark measures. A worker holds one engine, which takes its jobs one after the other.
+// What one job of the benchmark measures. A worker holds one engine, which does its jobs one after the other.
 import { sceneNamed } from '../../scenes'
 import { type Kind, pourChips, pourStage } from '../../scenes/piles'
 import { type Chip, conditions, type Scene } from '../../scenes/scene'
@@ -46,8 +46,9 @@ function quantile(values: Float64Array, q: number) {
 const long = 400
 
 /**
- * Microseconds of each frame, the same run played three times over and the median taken frame by frame: what else the
- * machine does hits one run here and another there. Long runs are played once; null is one that was given up.
+ * Microseconds of each frame, the same run played three times over and the median taken frame by frame: what
+ * else the machine does hits one run here and another there. Long runs are played once; null is one that was
+ * given up.
  */
 function playThrice(
   engine: Engine,
@@ -87,7 +88,7 @@ function warmUp(engine: Engine, scene: Scene, setting: Setting, milliseconds: nu
   }
 }
 
-/** Waits for the compiler's threads: what they still owe would slow down this engine, or the next one's turn. */
+/** Waits for the compiler's threads: their work would slow down this engine or the next. */
 async function compiled() {
   for (let waited = 0; waited < 3000; waited += 10) {
     const begin = process.cpuUsage()
@@ -99,11 +100,11 @@ async function compiled() {
 /** Whether this process has had a turn. */
 let warm = false
 
-/** Warms up in a process's first turn, until the compiler has seen whole pours, and measures the same for every engine. */
+/** Warms up in a process's first turn, until the compiler has seen whole pours. The same for every engine. */
 async function pourCost(engine: Engine, job: Extract<Job, { kind: 'pour cost' }>): Promise<Cost | AtLeast> {
   const scene = pourScene(job.chips, job.shape)
   if (!warm) {
-    // Whole pours, so that all of the code is known: of a few chips first, as a large one may take longer than there is time.
+    // Whole pours, so that all code is compiled; of a few chips first, as a large pour may take too long.
     if (job.chips > 60) warmUp(engine, pourScene(60, job.shape), job.setting, job.warmUp, 101)
     warmUp(engine, scene, job.setting, job.warmUp, job.chips > 250 ? 1 : 101)
     await compiled()
@@ -163,12 +164,13 @@ async function sceneCost(
   return costs.toReversed()
 }
 
-/** Microseconds per frame once the engine has put everything to sleep, from the 20th second after a pour on. */
+/** Microseconds per frame once the engine has put everything to sleep: from 20 s after a pour on. */
 function asleepCost(engine: Engine, job: Extract<Job, { kind: 'asleep' }>) {
   const scene = pourScene(job.chips)
   const run = engine.start(scene, scene.build(1), job.setting, true)
   for (let k = 0; k < 20 * 60; k++) run.step()
-  // What else the machine does for a millisecond is a hundred times as long as a world asleep takes: the median of nine seconds.
+  // Other work of a millisecond is a hundred times what a sleeping world takes, so the median of nine seconds
+  // counts.
   return median(
     Array.from({ length: 9 }, () => {
       const start = performance.now()
@@ -178,7 +180,7 @@ function asleepCost(engine: Engine, job: Extract<Job, { kind: 'asleep' }>) {
   )
 }
 
-/** Bytes of JavaScript heap taken per frame of a pour; needs --expose-gc and a young generation that holds them. */
+/** Bytes of JavaScript heap that a frame of a pour takes; needs --expose-gc and a large young generation. */
 function allocation(engine: Engine, job: Extract<Job, { kind: 'allocation' }>) {
   const scene = pourScene(job.chips)
   const pour = (seed: number) => {

@@ -6,11 +6,16 @@ import { ours } from '../publish/report'
 import type { Job } from './job'
 import { openTasks } from './tasks'
 
-/** ms into a run after which only what the claim needs is begun: the whole stays below twenty minutes, and the next run goes on. */
+/**
+ * ms after which only what the claim needs is begun. So a run takes less than twenty minutes; the next goes
+ * on.
+ */
 export const enough = 18.5 * 60_000
 /** frames of a pour that is timed */
 export const pourFrames = 240
-/** µs of a run, and times our own cost, beyond which a peer is timed once: noise is not what sets it apart. */
+/**
+ * µs of a run, and multiple of our cost, beyond which a peer is timed once: noise can't hide the difference.
+ */
 const long = 2e5
 const far = 2
 
@@ -25,7 +30,7 @@ export const largeSize = (scene: { name: string }) =>
 export const timedOnce = (engine: string, cost: number, frames: number, own: number | undefined) =>
   engine !== ours && cost * frames > long && cost > far * (own ?? 0)
 
-/** Seconds of processor after which a job is given up: of several simulations, which then may get a job each, or of one. */
+/** Seconds of processor after which a job is given up, by whether it holds several simulations or one. */
 const patience = (job: Job) =>
   'settings' in job && job.settings.length * ('seeds' in job ? job.seeds : 1) > 1 ? 200 : 90
 

@@ -16,8 +16,9 @@ export const spent = { seconds: 0 }
 const hung = (patience: number) => 1000 * (3 * patience + 30)
 
 /**
- * The outcome of a job in a worker of its own, or null when it took more than `patience` seconds of processor: however busy the
- * machine is, the same jobs are given up. One that doesn't come back at all is ended from here.
+ * The outcome of a job in a worker of its own, or null when it took more than `patience` seconds of
+ * processor: however busy the machine is, the same jobs are given up. One that doesn't come back at all is
+ * ended from here.
  */
 export async function runJob<J extends Job>(
   file: string,

@@ -79,7 +79,7 @@ export function openTimes(plan: Plan, timings: Timings, { isSimulated }: ErrorRu
       }
     },
 
-    /** Scene by scene: those that everyone looks at come first, should there be no time for all rounds of all. */
+    /** Scene by scene, the best known first, as there may be no time for all rounds of all. */
     async scenes(rounds: number[]) {
       const small = scenes.filter((scene) => !largeSize(scene))
       for (const scene of small.toSorted((a, b) => b.seeds - a.seeds)) {
@@ -95,7 +95,7 @@ export function openTimes(plan: Plan, timings: Timings, { isSimulated }: ErrorRu
       }
     },
 
-    /** Large pours at every other setting, once, but for those that take longer than ours with fewer chips already. */
+    /** Large pours at every other setting, once, except where fewer chips already take longer than ours. */
     async otherSettings() {
       for (const chips of sizes.filter(isSwept)) {
         const own = ownMean(chips) ?? Number.POSITIVE_INFINITY

@@ -86,8 +86,9 @@ function progressOf(title: string, expected: number) {
 }
 
 /**
- * Does tasks and keeps what comes of them. What an interrupted run has measured is kept until a run is complete. Errors are
- * the same whenever they are computed: they are kept for as long as nothing they depend on changes. Failures are tried again.
+ * Does tasks and keeps what comes of them. What an interrupted run has measured is kept until a run is
+ * complete. Errors are the same whenever they are computed: they are kept for as long as nothing they depend
+ * on changes. Failures are tried again.
  */
 export async function openTasks({ engines, fresh, forgetful, deadline, patience }: Options) {
   const worker = await bundleWorker('speed/measure', 'measure')
@@ -157,7 +158,7 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
     /** Why nothing came of a job, if it was tried. */
     failureOf: (job: Job) => failures.get(task(job).key),
 
-    /** Does jobs in order until a time of this process's clock, each in a process of its own, at most `workers` at once. */
+    /** Does jobs in order until a time, each in a process of its own, at most `workers` at once. */
     async runAll(title: string, jobs: Job[], workers: number, until = deadline) {
       const queue = jobs.map((job) => task(job)).filter((task) => !isKnown(task))
       if (queue.length === 0) return
@@ -175,8 +176,8 @@ export async function openTasks({ engines, fresh, forgetful, deadline, patience 
     },
 
     /**
-     * Lets engines take so many turns, one at a time, each in a process that it keeps. First rounds are for all, what comes
-     * after them until a time of this process's clock.
+     * Lets engines take so many turns, one at a time, each in a process that it keeps. First rounds are for
+     * all, what comes after them until a time of this process's clock.
      */
     async takeTurns(title: string, players: Player[], turns: number, until: number) {
       const progress = progressOf(title, players.length * turns)

@@ -15,7 +15,9 @@ export function openTimings({ quick, rounds, sizes, isDefault, tasks }: Plan) {
 
   // Pours
 
-  /** ms after which a pour is given up: a peer's at another setting than the default once it has taken a fifth longer than ours. */
+  /**
+   * ms after which a pour is given up. At other settings than the default a peer gets a fifth more than ours.
+   */
   function pourPatience(variant: Variant, chips: number): number {
     const own = isDefault(variant) || variant.engine === ours ? undefined : ownMean(chips)
     return own ? Math.max(1000, 100 * Math.ceil((1.2 * own * pourFrames) / 1e5)) : 24_000
@@ -53,7 +55,7 @@ export function openTimings({ quick, rounds, sizes, isDefault, tasks }: Plan) {
     return meanOf({ engine: ours, setting: {} }, chips)
   }
 
-  /** µs that a frame takes with fewer chips at a setting, and so at least with more; 0 where nothing is known. */
+  /** µs that a frame takes with fewer chips: a lower bound with more. 0 where nothing is known. */
   function leastOf(variant: Variant, chips: number): number {
     const fewer = withFewer(variant, chips)
     if (fewer) return 'mean' in fewer ? fewer.mean : fewer.atLeast

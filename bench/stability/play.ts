@@ -147,7 +147,7 @@ export function playHard(
   return { figures, hash: world.hash() }
 }
 
-/** px/s by which a chip that slides along a level surface is slower at a frame than friction alone makes it. */
+/** px/s by which a chip that slides along a level surface is slower at a frame than friction explains. */
 export function slowedBy({ conditions }: HardScene, chip: Chip, frames: number, vx: number) {
   return Math.max(0, chip.vx! - conditions.friction * conditions.gravity * frames * frame) - vx
 }

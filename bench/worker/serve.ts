@@ -8,8 +8,9 @@ const secondsUsed = () => {
 }
 
 /**
- * Answers calls of `work`, one at a time. A line of standard input holds its arguments, a line of standard output what it gives
- * and the seconds of processor that the worker has had so far, both as JSON. The end of the input ends the worker.
+ * Answers calls of `work`, one at a time. A line of standard input holds its arguments, a line of standard
+ * output what it gives and the seconds of processor that the worker has had so far, both as JSON. The end of
+ * the input ends the worker.
  */
 export async function serve(work: (...args: never[]) => unknown) {
   for await (const line of createInterface({ input: process.stdin })) {

@@ -1,5 +1,6 @@
-// The one kind of process in which the benchmark measures and plays: it holds one bundled function and answers calls of it.
-// A process of its own has no other engine's compiled code. What a test runner does to modules makes the solver ten times slower.
+// The one kind of process in which the benchmark measures and plays: it holds one bundled function and
+// answers calls of it. A process of its own has no other engine's compiled code. What a test runner does to
+// modules makes the solver ten times slower.
 import { spawn } from 'node:child_process'
 import { createInterface } from 'node:readline'
 import { bundleWorker } from '../build/bundle'
@@ -33,7 +34,10 @@ export function openWorker(file: string, { flags = [], args = [], unbounded = fa
   const parse = (line: string) =>
     JSON.parse(line, unbounded ? (_, value) => value ?? Number.POSITIVE_INFINITY : undefined)
   return {
-    /** Calls the function. Null is a call that was not answered after `limit` ms: the worker is ended. Rejects where it ends itself. */
+    /**
+     * Calls the function. Returns null and ends the worker after `limit` ms. Rejects if the worker ends
+     * itself.
+     */
     call<T>(args: unknown[], limit: number): Promise<Answer<T> | null> {
       return new Promise((resolve, reject) => {
         const settle = () => {
