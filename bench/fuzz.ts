@@ -1,8 +1,9 @@
 // Plays random scenes and looks for one in which something goes wrong that never may:
-//   npm run fuzz [-- --scenes 2000 --seed 1 --from 0 --check asleep --dry --accept]
+//   npm run fuzz [-- --scenes 2000 --seed 1 --from 0 --check asleep --dry --accept --write]
 // The first failure of each check is shrunk to its smallest form and kept, named, in scenes/found.json, which the tests play.
 // --from starts at a later block of 2,000, --check looks at one property only, --dry keeps nothing,
-// --accept takes what the solver does today as what the tests hold it to.
+// --accept takes what the solver does today as what the tests hold it to. --write keeps how many scenes failed in
+// bench/results/fuzz.json, which the docs read.
 import { readFileSync, writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { parseArgs } from 'node:util'
@@ -18,6 +19,7 @@ const { values } = parseArgs({
     check: { type: 'string' },
     dry: { type: 'boolean', default: false },
     accept: { type: 'boolean', default: false },
+    write: { type: 'boolean', default: false },
   },
 })
 const only = values.check as Check | undefined
@@ -29,6 +31,10 @@ const pathOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 const foundFile = pathOf('../scenes/found.json')
 const load = (): Found[] => fromJson(readFileSync(foundFile, 'utf8'))
 
+if (values.write && (only || values.seed !== '1' || values.from !== '0'))
+  throw new Error(
+    '--write keeps what the first scenes of seed 1 show of every check: leave --seed, --from and --check out',
+  )
 if (values.accept) {
   const { asked, misses } = survey(1, 0)
   const counts = Object.fromEntries(Object.entries(misses).map(([check, { count }]) => [check, count]))
@@ -59,6 +65,9 @@ for (let index = Number(values.from), played = 0; played < scenes; index++) {
   console.log(`block ${index}, ${played} of ${scenes}: ${list.join(', ') || 'all hold'}`)
 }
 for (const [check, count] of total) console.log(`${check}: ${count} of ${scenes}`)
+
+if (values.write)
+  writeFileSync(pathOf('./results/fuzz.json'), `${toJson({ scenes, misses: Object.fromEntries(total) })}\n`)
 
 if (!values.dry) {
   const found = load()

@@ -1,15 +1,15 @@
 // Prints how the solver bears the scenes that break solvers, each figure beside its bound.
 //   npx tsx bench/stability.ts [--scene part,of,names] [--seeds 20] [--each] [--write]
 //   npx tsx bench/stability.ts --scene seams --engine planck,rapier
-// --each prints every seed; --write keeps the figures for the docs in bench/results/stability.json.
+// --each prints every seed; --write keeps the figures for the docs in bench/results, as stability.json and slides.json.
 // --engine plays the scenes in which a chip slides with other engines, at their defaults, and prints by how much it is slowed.
 import { writeFileSync } from 'node:fs'
-import { fileURLToPath } from 'node:url'
+import { join } from 'node:path'
 import { parseArgs } from 'node:util'
 import { type HardFigures, hardScenes, hardUnits } from '../scenes/hard'
-import { simulateScene } from './accuracy/trajectory'
-import { loadEngine } from './engines'
-import { type HardRow, hardRows, holds, playHardScene, slowedBy } from './stability/play'
+import { root } from './build/root'
+import { type HardRow, hardRows, holds, playHardScene } from './stability/play'
+import { type SlideRow, slideRows, slideScenes, slidingEngines } from './stability/slides'
 
 const { values: options } = parseArgs({
   options: {
@@ -27,27 +27,15 @@ const wanted = options.scene?.split(',')
 const scenes = hardScenes.filter(({ name }) => !wanted || wanted.some((part) => name.includes(part)))
 if (scenes.length === 0) throw new Error(`No scene is named like ${options.scene}`)
 if (options.engine) {
-  for (const name of options.engine.split(',')) {
-    const engine = await loadEngine(name)
-    for (const scene of scenes) {
-      const { slider } = scene
-      if (slider === undefined) continue
-      const slowed = Array.from({ length: Math.min(scene.seeds, Number(options.seeds)) }, (_, i) => {
-        const known = { ...scene, measures: [], measure: () => [] }
-        const { trajectory } = simulateScene(engine, known, engine.settings[0], i + 1)
-        const frames = Array.from({ length: trajectory.frames }, (_, k) => k + 1)
-        return Math.max(
-          ...frames.map((k) => slowedBy(scene, trajectory.chips[slider], k, trajectory.state(k, slider).vx)),
-        )
-      })
-      const bound = scene.bounds.slowed!
-      const trips = slowed.filter((by) => by > bound).length
-      const worst = Number(Math.max(...slowed).toPrecision(3))
+  for (const name of options.engine.split(','))
+    for (const { engine, scene, slides, slowed, worst, bound } of await slideRows(
+      name,
+      scenes,
+      Number(options.seeds),
+    ))
       console.log(
-        `${name.padEnd(20)}${scene.name.padEnd(18)}${trips} of ${slowed.length} slowed by over ${bound} px/s, at worst ${worst}`,
+        `${engine.padEnd(20)}${scene.padEnd(18)}${slowed} of ${slides} slowed by over ${bound} px/s, at worst ${worst}`,
       )
-    }
-  }
   process.exit(0)
 }
 let broken = 0
@@ -72,8 +60,12 @@ for (const scene of scenes) {
   }
 }
 if (options.write) {
-  const file = fileURLToPath(new URL('./results/stability.json', import.meta.url))
-  writeFileSync(file, `${JSON.stringify(kept, null, 1)}\n`)
+  const keep = (file: string, rows: object[]) =>
+    writeFileSync(join(root, 'bench/results', file), `${JSON.stringify(rows, null, 1)}\n`)
+  keep('stability.json', kept)
+  const slides: SlideRow[] = []
+  for (const engine of slidingEngines) slides.push(...(await slideRows(engine, slideScenes, 20)))
+  keep('slides.json', slides)
 }
 if (!options.each) console.log(broken === 0 ? '\nall hold' : `\n${broken} do not hold`)
 process.exit(broken === 0 ? 0 : 1)

@@ -16,7 +16,7 @@ import { Install, InstallWay } from './install'
 import { LiveFigure } from './lab'
 import { Prompt } from './prompt'
 import { ActionsTable, PropsTable } from './props-table'
-import { FuzzTable, HardScenesTable, ScenesTable } from './scenes-table'
+import { ChipCounts, FuzzTable, HardScenesTable, ScenesTable, SlideWords } from './scenes-table'
 import { ScrollTable } from './scroll-table'
 
 const components: Record<string, unknown> = {
@@ -93,6 +93,8 @@ const components: Record<string, unknown> = {
       run={`shadcn@latest registry add @liten=${siteUrl}/r/${version}/{name}.json`}
     />
   ),
+  ChipCounts,
+  SlideWords,
   AddCommand: ({ name }: { name: string }) => (
     <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />
   ),

@@ -1,3 +1,4 @@
+import { chipCounts, chipCountsHead } from '@/lib/evidence/browser'
 import {
   cellsOf,
   fuzzHead,
@@ -6,6 +7,7 @@ import {
   knownRows,
   type Row,
   type SceneRows,
+  slideWords,
 } from '@/lib/evidence/scenes'
 import { typeset } from '@/lib/typeset'
 import { ScrollTable } from './scroll-table'
@@ -67,29 +69,47 @@ export const HardScenesTable = () => (
   <Rows label="Scenes that break solvers" bound="Bound" scenes={hardRows()} />
 )
 
-export function FuzzTable() {
+export const SlideWords = () => <p>{typeset(slideWords())}</p>
+
+/** Rows that have their name in the first cell and words or figures in the others. */
+function NamedRows({
+  label,
+  head,
+  rows,
+}: {
+  label: string
+  head: string[]
+  rows: readonly (readonly [string, ...string[]])[]
+}) {
   return (
-    <ScrollTable label="Random scenes">
+    <ScrollTable label={label}>
       <thead>
         <tr className="border-b text-muted-foreground">
-          {fuzzHead.map((head) => (
-            <th key={head} scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
-              {head}
+          {head.map((text) => (
+            <th key={text} scope="col" className="px-3 py-2.5 sm:px-4 font-medium">
+              {text}
             </th>
           ))}
         </tr>
       </thead>
       <tbody>
-        {fuzzRows().map(([says, some, all]) => (
-          <tr key={says} className="border-b align-baseline last:border-0">
+        {rows.map(([name, ...cells]) => (
+          <tr key={name} className="border-b align-baseline last:border-0">
             <th scope="row" className="px-3 py-1.5 sm:px-4 font-normal">
-              {typeset(says)}
+              {typeset(name)}
             </th>
-            <td className="whitespace-nowrap px-3 py-1.5 sm:px-4 tabular-nums">{some}</td>
-            <td className="px-3 py-1.5 sm:px-4 tabular-nums">{all}</td>
+            {cells.map((cell, i) => (
+              <td key={head[i + 1]} className="px-3 py-1.5 sm:px-4 tabular-nums">
+                {typeset(cell)}
+              </td>
+            ))}
           </tr>
         ))}
       </tbody>
     </ScrollTable>
   )
 }
+
+export const ChipCounts = () => <NamedRows label="How many chips" head={chipCountsHead} rows={chipCounts()} />
+
+export const FuzzTable = () => <NamedRows label="Random scenes" head={fuzzHead} rows={fuzzRows()} />

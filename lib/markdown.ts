@@ -4,10 +4,10 @@ import { ours } from '@/bench/publish/report'
 import { siteUrl, version } from '@/site.config.mjs'
 import { blocks, blocksPitch } from './blocks'
 import { docs, navigation } from './docs'
-import { browserHead, browserRows } from './evidence/browser'
+import { browserHead, browserRows, chipCounts, chipCountsHead } from './evidence/browser'
 import { engineOrder, looks } from './evidence/engines'
 import { claim, costRow, results, sizes } from './evidence/results'
-import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows } from './evidence/scenes'
+import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows, slideWords } from './evidence/scenes'
 import { verdictHead, verdictWords } from './evidence/words'
 import { figure } from './figure'
 import { heroCode } from './hero-code'
@@ -61,6 +61,12 @@ const parts: Record<string, (attributes: Record<string, string>) => string> = {
   InstallWay: ({ of }) =>
     of === 'cli' ? 'With the CLI:' : of === 'manual' ? 'By hand:' : 'By a coding assistant:',
   Prompt: ({ name }) => fence('md', promptOf(name)),
+  ChipCounts: () =>
+    table(
+      chipCountsHead,
+      chipCounts().map((row) => [...row]),
+    ),
+  SlideWords: slideWords,
   FuzzTable: () =>
     table(
       fuzzHead,

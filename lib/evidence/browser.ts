@@ -158,3 +158,33 @@ export const browserRows = rows.map(({ name, goal = '', met, value }) => ({
     return { stage, text: String(value(result)), missed: stage === own && met !== undefined && !met(result) }
   }),
 }))
+
+/** Two digits are enough for a sentence. */
+const rough = (value: number) => Number(value.toPrecision(2))
+
+export const chipCountsHead = ['Chips', 'What to expect']
+
+/** How many chips a page may have, told by what the browser measured. */
+export function chipCounts() {
+  const stage = browserResults.stages[own]
+  const script = (chips: number, throttle: number) => {
+    const { median, worst } = dropOf(stage, chips, throttle)!.script
+    return { usual: rough(median), worst: rough(worst) }
+  }
+  const [few, slowed, many] = [script(60, 1), script(60, 4), script(250, 1)]
+  return [
+    [
+      'up to 60',
+      `what the component is made for: ${few.usual} ms of script in a usual frame on the benchmark’s machine, ${few.worst} ms in the worst; with its processor slowed four times ${slowed.usual} and ${slowed.worst} ms`,
+    ],
+    [
+      'up to 250',
+      `${many.usual} ms of script in a usual frame there, ${many.worst} in the worst; try it on your slowest phone`,
+    ],
+    [
+      thousands,
+      `a stress test: ${dropOf(stage, most, 1)!.rate.toFixed(0)} frames a second there; ${stage.replay?.toFixed(0)} if the browser only draws the chips and nothing is simulated`,
+    ],
+    ['more', 'use a canvas'],
+  ] as const
+}
