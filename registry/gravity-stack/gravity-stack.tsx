@@ -58,7 +58,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
-   * Coulomb friction between chips, and of chips on floor and walls; at rest it is a fifth more.
+   * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
   friction?: number | undefined

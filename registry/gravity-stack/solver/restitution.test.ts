@@ -192,7 +192,7 @@ describe('a box that falls over onto its long side', () => {
 })
 
 describe('a box that slides on one corner and comes down on its side', () => {
-  // Friction answers to every push: sweeps that took each push further would go to and fro.
+  // Friction follows every push: a solver that over-relaxes each push would swing between two answers.
   it.each([90, -90, 200])('does so on a chip of 180 times its weight as on the floor, at %i px/s', (vx) => {
     const floor = stage.height - 65
     const [cos, sin] = [Math.cos(0.05), Math.sin(0.05)]

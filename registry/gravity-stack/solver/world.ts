@@ -63,7 +63,7 @@ export interface WorldOptions {
   bounceThreshold?: number
   /** `false` keeps every body awake, for measuring. */
   sleep?: boolean
-  /** Sub-steps a step of 1/60 s, 1..64, at most: an island that stands still takes fewer. 6 if left out. */
+  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
   substeps?: number
 }
 
