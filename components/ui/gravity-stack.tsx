@@ -2296,7 +2296,7 @@ interface WorldOptions {
   bounceThreshold?: number
   /** `false` keeps every body awake, for measuring. */
   sleep?: boolean
-  /** Sub-steps a step of 1/60 s, 1..64, at most: an island that stands still takes fewer. 6 if left out. */
+  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
   substeps?: number
 }
 
@@ -4219,7 +4219,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   /** Classes of the stage; they set its height, 20rem by default. */
   className?: string | undefined
   /**
-   * Coulomb friction between chips, and of chips on floor and walls; at rest it is a fifth more.
+   * Coulomb friction between chips, and of chips on floor and walls.
    * @default 0.4
    */
   friction?: number | undefined
