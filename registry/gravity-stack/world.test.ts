@@ -458,14 +458,14 @@ describe('input that makes no sense', () => {
     }
   })
 
-  it.each(add)('of a chip is borne: %s', (key) => {
+  it.each(add)('of a chip does no harm: %s', (key) => {
     for (const value of odd) {
       const { world, ids } = worldOf([good, { ...good, [key]: value }, { ...good, x: 200 }])
       stands(world, ids)
     }
   })
 
-  it.each(['x', 'y', 'angle', 'vx', 'vy', 'spin'])('of a place is borne: %s', (key) => {
+  it.each(['x', 'y', 'angle', 'vx', 'vy', 'spin'])('of a place does no harm: %s', (key) => {
     for (const value of odd) {
       const { world, ids } = worldOf([good, { ...good, y: 200 }])
       world.place(ids[0], { [key]: value })
@@ -473,7 +473,7 @@ describe('input that makes no sense', () => {
     }
   })
 
-  it.each(['width', 'height', 'radius'])('of a new shape is borne: %s', (key) => {
+  it.each(['width', 'height', 'radius'])('of a new shape does no harm: %s', (key) => {
     for (const value of odd) {
       const { world, ids } = worldOf([good, { ...good, y: 200 }])
       world.reshape(ids[0], { width: 40, height: 40, radius: 4, [key]: value })
@@ -491,14 +491,14 @@ describe('input that makes no sense', () => {
     'substeps',
     'width',
     'height',
-  ])('of a world is borne: %s', (key) => {
+  ])('of a world does no harm: %s', (key) => {
     for (const value of odd) {
       const { world, ids } = worldOf([good, { ...good, y: 200 }], { [key]: value })
       stands(world, ids)
     }
   })
 
-  it.each(['gravity', 'bounce', 'friction'])('of a live prop is borne: %s', (key) => {
+  it.each(['gravity', 'bounce', 'friction'])('of a live prop does no harm: %s', (key) => {
     for (const value of odd) {
       const { world, ids } = worldOf([good, { ...good, y: 200 }])
       run(world, 0.2)
@@ -507,7 +507,7 @@ describe('input that makes no sense', () => {
     }
   })
 
-  it('of a stage is borne, and all chips are inside when it makes sense again', () => {
+  it('of a stage does no harm, and all chips are inside when it makes sense again', () => {
     const chips = [good, { ...good, y: 200 }]
     const { world, ids } = worldOf(chips)
     for (const value of odd) {
@@ -522,7 +522,7 @@ describe('input that makes no sense', () => {
     expect(outside(world, ids, chips)).toBeLessThan(0.1)
   })
 
-  it('of a pointer is borne', () => {
+  it('of a pointer does no harm', () => {
     for (const value of odd) {
       const { world, ids } = worldOf([good])
       const grab = world.grab(ids[0], value, 100)
@@ -535,7 +535,7 @@ describe('input that makes no sense', () => {
     }
   })
 
-  it('of ids that are gone is borne', () => {
+  it('of ids that are gone does no harm', () => {
     const { world, ids } = worldOf([good])
     world.remove(ids[0])
     world.remove(ids[0])

@@ -134,7 +134,7 @@ describe('what the scene does not need is not run', () => {
     }
   })
 
-  it('of a row on the floor only the chip that slides is swept, though all stand on the same floor', async () => {
+  it('of a row on the floor only the contacts of the chip that slides are solved, though all stand on the same floor', async () => {
     const row = Array.from({ length: 13 }, (_, i) => ({ ...kinds.boxes, angle: 0, x: 40 + 60.5 * i, y: 322 }))
     const { world, ids } = worldOf(row, { width: 1000, sleep: false })
     for (let k = 0; k < 60; k++) world.step(frame)

@@ -328,7 +328,7 @@ describe('a chip let go', () => {
     expect(world.read(ids[0]).vx).toBeCloseTo(500, 6)
   })
 
-  it('keeps its own speed when all that tells of its speed are two words in the same tenth of a millisecond', () => {
+  it('keeps its own speed when the pointer has told of two places only, in the same tenth of a millisecond', () => {
     const { world, ids } = worldOf([{ ...pill, x: 320, y: 100 }])
     const grab = world.grab(ids[0], 320, 100)
     run(world, 1)
@@ -363,7 +363,7 @@ describe('a chip let go', () => {
     }
   })
 
-  it('is that of the pointer under a clock too coarse to tell its moves apart, and no more is kept than it tells', () => {
+  it('leaves with the speed of the pointer though its clock is too coarse to tell its moves apart, and keeps no more samples than it tells', () => {
     const { world, ids } = worldOf([{ ...pill, x: 120, y: 100 }])
     const grab = world.grab(ids[0], 120, 100)
     for (let k = 0; k < 24; k++) {
