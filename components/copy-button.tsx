@@ -4,16 +4,24 @@ import { useEffect, useState } from 'react'
 import { at } from '@/lib/address'
 import { CheckIcon, CopyIcon } from './icons'
 
+async function textAt(path: string) {
+  const response = await fetch(at(path))
+  if (!response.ok) throw new Error(`${path}: ${response.status}`)
+  return response.text()
+}
+
 /**
- * Copies what stands at the address `from` of this site, or else the code in the same `.code` box. The words
+ * Copies what `text` gives, or what stands at the address `from` of this site, or else the code in the same `.code` box. The words
  * beside the icon are there when `children` are. A `label` that says more than they do contains them.
  */
 export function CopyButton({
+  text,
   from,
   children,
   label = children ?? 'Copy code',
   className = '',
 }: {
+  text?: () => Promise<string>
   from?: string
   children?: string
   label?: string
@@ -29,12 +37,9 @@ export function CopyButton({
 
   async function copy(button: HTMLElement) {
     try {
-      if (from) {
+      if (text || from) {
         // The promise goes into the clipboard item: Safari lets nothing be copied after an await.
-        const answer = fetch(at(from)).then(async (response) => {
-          if (!response.ok) throw new Error(`${from}: ${response.status}`)
-          return new Blob([await response.text()], { type: 'text/plain' })
-        })
+        const answer = (text ? text() : textAt(from!)).then((it) => new Blob([it], { type: 'text/plain' }))
         await navigator.clipboard.write([new ClipboardItem({ 'text/plain': answer })])
       } else {
         const code = Array.from(button.closest('.code')!.querySelectorAll('pre'))

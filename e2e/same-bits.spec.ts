@@ -1,8 +1,5 @@
-import { execFileSync, spawn } from 'node:child_process'
-import { once } from 'node:events'
+import { execFileSync } from 'node:child_process'
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
-import { createServer } from 'node:http'
-import type { AddressInfo } from 'node:net'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -11,6 +8,7 @@ import { expect, type Page, test } from '@playwright/test'
 import { build } from 'esbuild'
 import type { Pin } from '../registry/gravity-stack/testing/pins'
 import { findEngines } from '../scripts/browser.mjs'
+import { inFirefox } from './in-firefox'
 
 const path = (name: string) => fileURLToPath(new URL(`../registry/gravity-stack/${name}`, import.meta.url))
 const pins: Record<string, Pin> = JSON.parse(readFileSync(path('testing/pins.json'), 'utf8'))
@@ -44,36 +42,6 @@ async function inChromium(page: Page) {
   return page.evaluate('found') as Promise<string>
 }
 
-/** No driver: a page that sends back what it has found. */
-async function inFirefox(command: string, folder: string) {
-  const page = `<!doctype html><meta charset="utf-8"><script>${await script}
-    fetch('/', { method: 'POST', body: found })</script>`
-  const server = createServer((request, response) => {
-    if (request.method !== 'POST') return response.setHeader('content-type', 'text/html').end(page)
-    let body = ''
-    request.on('data', (text) => {
-      body += text
-    })
-    request.on('end', () => server.emit('found', body))
-  }).listen(0)
-  const url = `http://localhost:${(server.address() as AddressInfo).port}`
-  const args = ['--headless', '--no-remote', '--profile', folder, url]
-  // It ends before the test gives up, so that none is left behind.
-  const browser = spawn(command, args, { stdio: 'ignore', timeout: 150_000 })
-  const exit = once(browser, 'exit')
-  try {
-    const ended = exit.then(() => {
-      throw new Error(`${command} ended before it had found anything`)
-    })
-    return (await Promise.race([once(server, 'found'), ended]))[0] as string
-  } finally {
-    browser.kill()
-    await exit
-    server.closeAllConnections()
-    server.close()
-  }
-}
-
 async function inJavaScriptCore(command: string, folder: string) {
   const file = join(folder, 'scenes.js')
   writeFileSync(file, `${await script};print(found)`)
@@ -102,7 +70,9 @@ for (const { name, path } of engines) {
   test(`five named scenes and 60 releases give the same bits as in Node in ${name}`, async () => {
     const folder = mkdtempSync(join(tmpdir(), 'same-bits-'))
     try {
-      await compare(await (name === 'Firefox' ? inFirefox : inJavaScriptCore)(path, folder))
+      await compare(
+        await (name === 'Firefox' ? inFirefox(path, folder, await script) : inJavaScriptCore(path, folder)),
+      )
     } finally {
       rmSync(folder, { recursive: true, force: true, maxRetries: 5 })
     }

@@ -2,6 +2,7 @@ import type { Metadata } from 'next'
 import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { Playground } from '@/components/playground'
+import { version } from '@/site.config.mjs'
 
 export const metadata: Metadata = {
   title: 'Playground',
@@ -16,9 +17,9 @@ export default function PlaygroundPage() {
       <h1 className="font-semibold text-4xl tracking-[-0.03em]">Playground</h1>
       <p className="mt-3 max-w-2xl text-pretty text-lg text-muted-foreground leading-relaxed">
         Tune the props, watch the contacts, take the code. The address holds your settings: share it, and
-        others start from them.
+        others start from them. “Copy this pile” gives an address that plays what you did, step for step.
       </p>
-      <Playground />
+      <Playground version={version} />
       <PageTools className="mt-10" twin="/playground.md" source="app/playground/page.tsx" />
       <PageEnd path="/playground" />
     </main>

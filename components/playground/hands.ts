@@ -1,6 +1,6 @@
 import type { PointerEvent } from 'react'
 import { TOUCH_DRAG_START, TOUCH_HOLD } from '@/registry/gravity-stack/stage/pointers'
-import type { Pile } from '../lab/pile'
+import type { Recorder } from '../lab/recorder'
 
 /** A pointer that is down on a chip, in px and s of the stage. It holds the chip once there is a grab. */
 type Press = {
@@ -8,13 +8,14 @@ type Press = {
   at: [x: number, y: number, seconds: number]
   hold: () => void
   timer?: ReturnType<typeof setTimeout>
-  grab?: ReturnType<Pile['world']['grab']>
+  grab?: ReturnType<Recorder['grab']>
 }
 
 export type Hands = ReturnType<typeof createHands>
 
 /** The pointers that are down on the chips of a pile; `moved` is called when one takes a chip. */
-export function createHands(stage: HTMLElement, { world, ids }: Pile, moved: () => void) {
+export function createHands(stage: HTMLElement, recorder: Recorder, moved: () => void) {
+  const { world, ids } = recorder.pile
   const presses = new Map<number, Press>()
 
   const point = (event: PointerEvent): [number, number, number] => {
@@ -52,7 +53,7 @@ export function createHands(stage: HTMLElement, { world, ids }: Pile, moved: () 
           clearTimeout(press.timer)
           // The chip may have moved on while a finger rested.
           const { x: chipX, y: chipY } = world.read(id)
-          press.grab = world.grab(id, chipX + x - start.x, chipY + y - start.y)
+          press.grab = recorder.grab(chip, chipX + x - start.x, chipY + y - start.y)
           press.grab.moveTo(...press.at)
           moved()
         },

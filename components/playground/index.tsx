@@ -2,13 +2,15 @@
 
 import { useEffect, useMemo, useState } from 'react'
 import { classes } from '@/lib/classes'
-import { chipsOf, codeOf, defaults } from '@/lib/playground'
+import { toFragment } from '@/lib/pile-link'
+import { chipsOf, codeOf, defaults, toQuery } from '@/lib/playground'
 import { stillMotion } from '@/lib/still-motion'
 import { CopyButton } from '../copy-button'
 import { LiveCode } from '../live-code'
 import { Fields } from './fields'
 import { weightLength } from './overlay'
-import { idle, usePile, type Work } from './use-pile'
+import { useLinkedPile } from './use-linked-pile'
+import { idle, type Outcome, usePile, type Work } from './use-pile'
 import { useSettings } from './use-settings'
 
 const speeds = [
@@ -17,8 +19,9 @@ const speeds = [
   { value: 0.05, label: '1/20×' },
 ]
 
-export function Playground() {
-  const [settings, change] = useSettings()
+export function Playground({ version }: { version: string }) {
+  const [settings, set] = useSettings()
+  const { linked, leave } = useLinkedPile()
   const [drop, setDrop] = useState(0)
   const [playing, setPlaying] = useState(true)
   const [speed, setSpeed] = useState(1)
@@ -27,21 +30,40 @@ export function Playground() {
     if (stillMotion()) setPlaying(false)
   }, [])
 
-  const ready = settings !== undefined
+  const ready = settings !== undefined && linked !== 'unread'
+  const replay = typeof linked === 'object' ? linked : undefined
   const now = settings ?? defaults
-  const { words, count, shape, look, interactive } = now
+  const { words, shape, look, interactive } = now
+  const count = replay?.shapes.length ?? now.count
   const chips = useMemo(
     () => (ready ? chipsOf({ words, count, shape, look }) : []),
     [ready, words, count, shape, look],
   )
-  const { stage, canvas, hands, work, advance } = usePile({
+  const { stage, canvas, hands, work, outcome, record, advance } = usePile({
     chips,
     settings: now,
     drop,
+    replay,
+    version,
     playing,
     speed,
     overlay,
   })
+
+  /** Who changes a setting wants a pile of their own. */
+  function change(next: Partial<typeof now>) {
+    leave()
+    set(next)
+  }
+
+  async function link() {
+    const made = record()
+    if (!made) throw new Error('too long for an address')
+    const url = new URL(location.href)
+    url.search = toQuery(now)
+    url.hash = await toFragment(made)
+    return url.href
+  }
 
   const hint = 'absolute inset-0 grid place-items-center p-6 text-center text-muted-foreground text-sm'
   const button =
@@ -55,6 +77,7 @@ export function Playground() {
             type="button"
             className={button}
             onClick={() => {
+              leave()
               setPlaying(true)
               setDrop(drop + 1)
             }}
@@ -97,11 +120,23 @@ export function Playground() {
           >
             Overlay
           </button>
+          <CopyButton text={link} className="border">
+            Copy this pile
+          </CopyButton>
         </div>
         <div
           ref={stage}
           data-slot="playground-stage"
-          data-state={work.resting ? 'resting' : playing ? 'running' : 'paused'}
+          data-state={
+            replay && outcome
+              ? 'resting'
+              : work.resting && !replay
+                ? 'resting'
+                : playing
+                  ? 'running'
+                  : 'paused'
+          }
+          data-outcome={outcome}
           className="relative isolate h-96 overflow-clip bg-stage contain-strict"
         >
           {chips.map(({ word, className }, chip) => (
@@ -133,6 +168,7 @@ export function Playground() {
           {overlay && <canvas ref={canvas} className="pointer-events-none absolute inset-0 size-full" />}
         </div>
         <Numbers work={work} />
+        <Linked linked={linked} outcome={outcome} version={version} />
         {overlay && (
           <p className="border-t px-4 py-3 text-muted-foreground text-sm">
             Chips that touch are one island and share a colour; grey with a dashed outline is asleep. Red dots
@@ -172,6 +208,32 @@ export function Playground() {
         <LiveCode code={codeOf(now)} />
       </div>
     </div>
+  )
+}
+
+/** What becomes of the pile that the address holds. */
+function Linked({
+  linked,
+  outcome,
+  version,
+}: {
+  linked: ReturnType<typeof useLinkedPile>['linked']
+  outcome: Outcome
+  version: string
+}) {
+  if (typeof linked !== 'object' && linked !== 'broken') return
+  return (
+    <p role="status" className="border-t px-4 py-3 text-muted-foreground text-sm">
+      {linked === 'broken'
+        ? 'The address holds no pile that can be played, so this is a new one.'
+        : outcome === 'same'
+          ? `Played as it was recorded, in ${linked.steps.toLocaleString('en')} steps: the same pile to the last bit. Drop makes a new one.`
+          : outcome === 'other'
+            ? linked.version === version
+              ? 'Played to its end, and it came out otherwise than it was recorded. That is a bug: please tell us.'
+              : `Played to its end. It came out otherwise, as it was recorded with version ${linked.version}, and this is ${version}.`
+            : `Plays a recorded pile of ${linked.steps.toLocaleString('en')} steps. Drop makes a new one.`}
+    </p>
   )
 }
 

@@ -1,7 +1,7 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react'
+import type { PileRecord } from '@/lib/pile-link'
 import type { chipsOf, Settings } from '@/lib/playground'
-import { cornerRadius } from '@/scenes/exact-distance'
-import { createPile, type Pile } from '../lab/pile'
+import { createRecorder, createReplay, type Player, type Recorder } from '../lab/recorder'
 import { createHands, type Hands } from './hands'
 import { drawOverlay } from './overlay'
 
@@ -17,6 +17,9 @@ export const idle = {
   resting: false,
 }
 
+/** Whether a recorded pile came out as it was recorded, to the last bit. */
+export type Outcome = 'same' | 'other' | undefined
+
 /** Frames: a quarter of a second, as on the component's own stage. */
 const headStart = 15
 
@@ -25,6 +28,9 @@ type Show = {
   settings: Settings
   /** Another number, another drop. */
   drop: number
+  /** A recorded drop to be played instead of a new one. */
+  replay: PileRecord | undefined
+  version: string
   playing: boolean
   speed: number
   overlay: boolean
@@ -39,12 +45,14 @@ const measure = (chip: HTMLElement) => ({
 })
 
 /** A pile of the `data-chip` elements in `stage`, played frame by frame, and the pointers on it. */
-export function usePile({ chips, settings, drop, playing, speed, overlay }: Show) {
+export function usePile({ chips, settings, drop, replay, version, playing, speed, overlay }: Show) {
   const { gravity, bounce, friction, stagger, upright, seed } = settings
   const [work, setWork] = useState(idle)
+  const [outcome, setOutcome] = useState<Outcome>()
   const stage = useRef<HTMLDivElement>(null)
   const canvas = useRef<HTMLCanvasElement>(null)
-  const pile = useRef<Pile>(null)
+  const player = useRef<Player>(null)
+  const recorder = useRef<Recorder>(null)
   const hands = useRef<Hands>(null)
   const mean = useRef(0)
   /** Frames that a drop's beginning still waits for the look-ahead. */
@@ -52,7 +60,15 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
   const kick = useRef(() => {})
 
   function paint() {
-    const { world, ids, shapes, resting, turned } = pile.current!
+    const { world, ids, shapes, resting, turned } = player.current!.pile
+    if (replay) {
+      // A recorded stage keeps its size, and is shown smaller where there is less room.
+      const { style, parentElement } = stage.current!
+      const { width, height } = world.scene
+      style.width = `${width}px`
+      style.height = `${height}px`
+      style.zoom = `${Math.min(1, parentElement!.clientWidth / width)}`
+    }
     const elements = chipsIn(stage.current!)
     ids.forEach((id, chip) => {
       const { x, y, ...body } = world.read(id)
@@ -66,20 +82,23 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     })
     if (!canvas.current) return
     const words = elements.map((chip) => chip.textContent ?? '')
-    drawOverlay(canvas.current, pile.current!, words)
+    drawOverlay(canvas.current, player.current!.pile, words)
   }
 
   /** Gives the look-ahead a few slices; whether it is far enough ahead. */
-  const planned = () => [1, 2, 3].some(() => pile.current!.plan())
+  const planned = () => [1, 2, 3].some(() => player.current!.pile.plan())
 
   function step() {
-    if (upright) pile.current!.plan()
+    const { pile } = player.current!
+    if (upright) pile.plan()
     const before = performance.now()
-    pile.current!.step()
+    player.current!.step()
     // Browsers round their clocks to 100 µs, so one step says little: a mean that forgets slowly.
     mean.current += 0.05 * ((performance.now() - before) * 1000 - mean.current)
-    const { world, ids, resting } = pile.current!
+    const { world, ids, resting } = pile
     setWork({ ...world.stats, released: ids.length, micros: mean.current, resting })
+    const { current } = player
+    if (replay && current?.over) setOutcome(world.hash() === replay.hash ? 'same' : 'other')
   }
 
   // A new pile when its chips or their order change, or when it is dropped again.
@@ -90,25 +109,34 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     const elements = chipsIn(element)
     const sizes = elements.map(measure)
     for (const chip of elements) chip.style.transform = 'translateY(-200%)'
+    Object.assign(element.style, { width: '', height: '', zoom: '' })
+    waits.current = headStart
+    setWork(idle)
+    setOutcome(undefined)
+    if (replay) {
+      player.current = createReplay(replay)
+      recorder.current = null
+      hands.current = null
+      kick.current()
+      return
+    }
     const { clientWidth: width, clientHeight: height } = element
     const options = { width, height, gravity, bounce, friction, stagger, seed }
-    const next = createPile(options, sizes)
-    const { world, ids } = next
+    const next = createRecorder(version, options, sizes)
     const pointers = createHands(element, next, () => kick.current())
-    pile.current = next
-    waits.current = headStart
+    player.current = next
+    recorder.current = next
     hands.current = pointers
-    setWork(idle)
     kick.current()
     const resize = new ResizeObserver(() => {
-      world.resize(element.clientWidth, element.clientHeight)
+      next.resize(element.clientWidth, element.clientHeight)
       elements.forEach((chip, place) => {
         const size = measure(chip)
         const { width, height } = sizes[place]
         if (size.width === width && size.height === height) return
         // A font that came late makes other chips.
         sizes[place] = size
-        if (place < ids.length) world.reshape(ids[place], { ...size, radius: cornerRadius(size) })
+        next.reshape(place, size)
       })
       kick.current()
     })
@@ -117,10 +145,10 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
       resize.disconnect()
       pointers.end()
     }
-  }, [chips, stagger, upright, seed, drop])
+  }, [chips, stagger, upright, seed, drop, replay])
 
   useEffect(() => {
-    pile.current?.world.configure({ gravity, bounce, friction })
+    recorder.current?.configure(gravity, bounce, friction)
     kick.current()
   }, [gravity, bounce, friction])
 
@@ -138,20 +166,22 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
       }
       due += before === 0 ? 1 : Math.min(3, ((time - before) / 1000) * 60 * speed)
       before = time
-      for (; due >= 1; due--) step()
+      for (; due >= 1 && !player.current!.over; due--) step()
       paint()
-      if (!pile.current!.resting) request = requestAnimationFrame(tick)
+      const { pile, over } = player.current!
+      // A recorded pile may rest for a while before the next thing is done to it.
+      if (replay ? !over : !pile.resting) request = requestAnimationFrame(tick)
       else before = 0
     }
     kick.current = () => {
-      if (playing && request === 0 && pile.current) {
+      if (playing && request === 0 && player.current) {
         before = 0
         request = requestAnimationFrame(tick)
-      } else if (!playing && pile.current) paint()
+      } else if (!playing && player.current) paint()
     }
     kick.current()
     return () => cancelAnimationFrame(request)
-  }, [playing, speed, overlay])
+  }, [playing, speed, overlay, replay])
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: paints what it finds in the refs
   useEffect(() => {
@@ -166,6 +196,9 @@ export function usePile({ chips, settings, drop, playing, speed, overlay }: Show
     canvas,
     hands,
     work,
+    outcome,
+    /** What was done to the pile up to now; nothing where that is too much for an address. */
+    record: () => recorder.current?.record() ?? replay,
     /** Plays one frame, also of a paused pile. */
     advance() {
       step()
