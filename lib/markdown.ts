@@ -160,7 +160,7 @@ const playground = () =>
   page(
     'Playground',
     'Tune the props, watch the contacts, take the code.',
-    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out is at its default. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out. What follows `#pile=` is a pile that was recorded there: the page plays it again, step for step, and so does `npx tsx bench/replay.ts LINK` in a clone.`,
+    `The address holds the settings: ${siteUrl}/playground?shape=mixed&gravity=1200. What it leaves out is at its default. \`seed\` is the playground's own: the component has no such prop, and the code leaves it out. What follows \`#pile=\` is a pile that was recorded there: the page plays it again, step for step, and so does \`npx tsx bench/replay.ts LINK\` in a clone.`,
     table(
       ['In the address', 'Values', 'Default'],
       Object.entries(defaults).map(([name, value]) => {
