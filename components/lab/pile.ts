@@ -1,6 +1,5 @@
 import { createLookAhead, uprightTurn } from '@/registry/gravity-stack/stage/look-ahead'
-import { type Release, reach, releaseTime } from '@/registry/gravity-stack/stage/release'
-import { addReleased } from '@/registry/gravity-stack/stage/release-queue'
+import { addReleased, type Release, reach, releaseTime } from '@/registry/gravity-stack/stage/release'
 import { createWorld } from '@/registry/gravity-stack/world'
 import { cornerRadius, halfExtent, type Shape } from '@/scenes/exact-distance'
 import { frame } from '@/scenes/scene'

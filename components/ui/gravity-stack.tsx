@@ -2797,118 +2797,7 @@ function releasePose(
   }
 }
 
-// stage/launch: hops and shakes ─────────────────────────────────────────────────────────────────────────────
-
-/** px/s² of the least gravity that kicks are made for. */
-const KICK_GRAVITY = 100
-/** Share of a kick's speed that goes aside at most. With twice as much every third of 15 shaken chips rolls onto its head as it lands. */
-const KICK_ASIDE = 0.15
-
-/**
- * The kick with this number: velocity (px/s) that sends a chip about `height` px up, a little aside, and the spin (rad/s) with which a
- * chip drawn at `angle` is upright again when it comes down.
- */
-function kickOf(number: number, height: number, gravity: number, angle: number) {
-  const either = (channel: number) => 2 * scatter(number, channel) - 1
-  const pull = Math.max(gravity, KICK_GRAVITY)
-  const speed = Math.sqrt(2 * height * pull)
-  const vy = speed * (0.1 * either(2) - 0.9)
-  const flight = (-2 * vy) / pull
-  // What the air leaves of the spin, over the flight: (1 − e⁻ˣ) / x to within a thousandth.
-  const drag = ANGULAR_DAMPING * flight
-  const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
-  const whole = 2 * Math.PI
-  return {
-    vx: KICK_ASIDE * speed * either(1),
-    vy,
-    spin: (whole * Math.round(angle / whole) - angle) / turning,
-  }
-}
-
-// stage/chip: how a chip looks, and how it is drawn ─────────────────────────────────────────────────────────
-
-// From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
-// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
-
-/** A child of the stage, in the element that the component wraps it in. */
-interface Chip extends Release {
-  element: HTMLElement
-  state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** rad by which it is drawn turned on its body, and whether that stays. */
-  turn: number
-  turned: boolean
-  /** Pose as drawn, its turn included, and what draws it smaller in a hand. */
-  x: number
-  y: number
-  angle: number
-  pinch: string
-  /** Whether styles have been told its angle since it was last drawn. */
-  told?: boolean
-}
-
-/** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
-function look(chip: Chip, changes: MutationObserver) {
-  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn. Mere words have none.
-  let face: CSSStyleDeclaration | undefined
-  let next: Element | null
-  for (
-    let child = chip.element.matches('[data-words]') ? null : chip.element.firstElementChild;
-    child;
-    child = next
-  ) {
-    const style = getComputedStyle(child)
-    // One without a box of its own is drawn as what is in it.
-    next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
-    if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
-    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
-    changes.observe(child, { attributeFilter: ['class', 'style'] })
-    face = style
-    break
-  }
-  if (!face) chip.element.style.borderRadius = ''
-  // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-  // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
-  const corners = (face ?? getComputedStyle(chip.element)).borderRadius
-    .replace(/(calc.)?infinity . /g, '9e9')
-    .split(/[ /]+/)
-  const short = Math.min(chip.width, chip.height)
-  chip.radius = Math.min(
-    ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
-    short / 2,
-  )
-}
-
-/** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
-function round({ element, radius }: Chip) {
-  element.style.borderRadius = `${radius}px`
-}
-
-/** px, how far below its middle a chip reaches that is drawn at `angle`. */
-function halfHeight({ width, height, radius }: Chip, angle: number) {
-  const sin = Math.abs(Math.sin(angle))
-  const cos = Math.abs(Math.cos(angle))
-  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
-}
-
-function draw(chip: Chip) {
-  const { element, x, y, angle } = chip
-  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-  element.style.transform = at + chip.pinch
-  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
-  if (chip.told) element.style.removeProperty('--chip-angle')
-  chip.told = false
-}
-
-/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
-function tellAngle(chip: Chip) {
-  const turns = chip.angle / (2 * Math.PI)
-  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
-  chip.told = true
-}
-
-// stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
-
-/** A world, and what was released into it, by the ids of the bodies. */
+/** A world, and what was released into it by the ids of the bodies. */
 interface Pile<T extends Release = Release> {
   world: World
   chips: T[]
@@ -2933,15 +2822,187 @@ function addReleased<T extends Release>(
   return id
 }
 
-/** The chips whose release is to come, and the stage's clock, which their releases go by. */
+// stage/launch: hops and shakes ─────────────────────────────────────────────────────────────────────────────
+
+/** px/s², the least gravity that launches are computed for. */
+const LEAST_GRAVITY = 100
+/** Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land on their heads. */
+const SIDEWAYS = 0.15
+
+/**
+ * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s) brings a chip
+ * that is drawn at `angle` upright by the time it comes down.
+ */
+function launchMotion(number: number, height: number, gravity: number, angle: number) {
+  const either = (channel: number) => 2 * scatter(number, channel) - 1
+  const pull = Math.max(gravity, LEAST_GRAVITY)
+  const speed = Math.sqrt(2 * height * pull)
+  const vy = speed * (0.1 * either(2) - 0.9)
+  const flight = (-2 * vy) / pull
+  // The share of the spin that drag leaves on average over the flight, (1 − e⁻ˣ) / x, to within a thousandth.
+  const drag = ANGULAR_DAMPING * flight
+  const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
+  const whole = 2 * Math.PI
+  return {
+    vx: SIDEWAYS * speed * either(1),
+    vy,
+    spin: (whole * Math.round(angle / whole) - angle) / turning,
+  }
+}
+
+// stage/chip: how a chip looks, and how it is drawn ─────────────────────────────────────────────────────────
+
+// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop writes transforms.
+// React renders the wrappers of the chips and never touches their style and state again: those belong to the stage.
+
+/** A child of the stage, in the element that the component wraps it in. */
+interface Chip extends Release {
+  element: HTMLElement
+  state: 'waiting' | 'falling' | 'held' | 'resting'
+  /** rad by which the chip is drawn turned on its body. */
+  turn: number
+  /** Whether `turn` is final. */
+  turned: boolean
+  /** Pose in which the chip is drawn, `turn` included; x is not a number before the chip is first drawn. */
+  x: number
+  y: number
+  angle: number
+  /** CSS transforms that draw a held chip smaller. */
+  pinch: string
+  /** Whether the style of the chip holds `--chip-angle`. */
+  hasAngle?: boolean
+}
+
+/** The element that a chip is drawn as; none for mere words, which are drawn on the wrapper. */
+function faceOf({ element }: Chip) {
+  let next: Element | null
+  for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
+    const { display, position } = getComputedStyle(child)
+    // An element without a box of its own is drawn as its children.
+    next = display === 'contents' ? child.firstElementChild : child.nextElementSibling
+    // Words for screen readers and style elements take up no room beside the face.
+    if (!/none|contents|absolute|fixed/.test(display + position)) return child
+  }
+  return undefined
+}
+
+/** Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from. */
+function measureRadius(chip: Chip, changes: MutationObserver) {
+  const { element, width, height } = chip
+  const face = faceOf(chip)
+  // The wrapper is not watched: the stage itself changes its style in every frame.
+  if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
+  else element.style.borderRadius = ''
+  const short = Math.min(width, height)
+  // WebKit returns Tailwind's `rounded-full` as it was written: infinity * 1px.
+  const corners = getComputedStyle(face ?? element)
+    .borderRadius.replace(/(calc.)?infinity . /g, '9e9')
+    .split(/[ /]+/)
+    // A percentage is taken of the shorter side.
+    .map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1))
+  // The least of the four: nothing drawn may reach out of the body.
+  chip.radius = Math.min(...corners, short / 2)
+}
+
+/** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
+function applyCornerRadius({ element, radius }: Chip) {
+  element.style.borderRadius = `${radius}px`
+}
+
+/** px, how far a chip that is drawn at `angle` reaches below its centre. */
+function halfHeight({ width, height, radius }: Chip, angle: number) {
+  const sin = Math.abs(Math.sin(angle))
+  const cos = Math.abs(Math.cos(angle))
+  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
+}
+
+function draw(chip: Chip) {
+  const { element, x, y, angle } = chip
+  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
+  element.style.transform = at + chip.pinch
+  // While a style holds a custom property, Chromium matches its element against all rules each time the style changes.
+  if (chip.hasAngle) element.style.removeProperty('--chip-angle')
+  chip.hasAngle = false
+}
+
+/** Tells styles the angle of a chip at rest, so that they can draw a shadow that falls down the screen. */
+function exposeAngle(chip: Chip) {
+  const turns = chip.angle / (2 * Math.PI)
+  chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
+  chip.hasAngle = true
+}
+
+function setState(chip: Chip, next: Chip['state']) {
+  if (chip.state === next) return
+  const { element } = chip
+  chip.state = next
+  element.setAttribute('data-state', next)
+  if (next === 'waiting') {
+    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless it has the focus.
+    element.style.transform = ''
+    if (!element.matches(':focus-within')) element.style.zIndex = ''
+  }
+}
+
+// stage/children: a chip for each child ─────────────────────────────────────────────────────────────────────
+
+/** The chips of a stage: one for each child that React has rendered into it. */
+function createChildren(root: HTMLElement) {
+  const chips = new Map<Element, Chip>()
+  return {
+    chips,
+
+    /** The chip that an element is, or is in. */
+    chipAt(target: EventTarget | null) {
+      let node = target as Element | null
+      while (node && !chips.has(node)) node = node.parentElement
+      return chips.get(node!)
+    },
+
+    /** The chips in the order of the child elements. */
+    inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
+
+    /** Brings the chips in line with the child elements: calls `add` with each new one, returns those that are gone. */
+    collect(add: (chip: Chip) => void) {
+      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would never load.
+      for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+        lazy.setAttribute('loading', 'eager')
+      for (const element of Array.from(root.children) as HTMLElement[]) {
+        if (chips.has(element) || !element.hasAttribute('data-slot')) continue
+        const chip = {
+          element,
+          state: 'waiting',
+          width: 0,
+          radius: Number.NaN,
+          id: -1,
+          angle: 0,
+          pinch: '',
+        } as Chip
+        chips.set(element, chip)
+        add(chip)
+      }
+      const gone = Array.from(chips.values()).filter(({ element }) => element.parentNode !== root)
+      for (const { element } of gone) chips.delete(element)
+      return gone
+    },
+  }
+}
+
+type Children = ReturnType<typeof createChildren>
+
+// stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
+
+/** The chips that wait for their release, and the stage's clock, which the releases go by. */
 function createReleaseQueue() {
   let count = 0
-  /** s, the least time of the next release to be planned. */
+  /** s, the earliest time of the next release to be planned. */
   let slot = 0
+  /** ms, when `clock` was last right, while nothing moves and no frame counts the time. */
+  let idleSince: number | undefined
 
   function schedule(chip: Chip) {
     const { chips, clock, stagger } = queue
-    // Nobody can use what still waits unseen.
+    // Nobody can use a chip with the focus while it waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
     slot = Math.max(slot, clock) + stagger / 1000
     let place = chips.length
@@ -2951,27 +3012,28 @@ function createReleaseQueue() {
   }
 
   const queue = {
-    /** Those that wait, the next one first. */
+    /** The chips that wait, the next one first. */
     chips: [] as Chip[],
-    /** s simulated since the drop began. */
+    /** s simulated since the drop began; below 0 before its first release. */
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,
     /** ms between two releases. */
     stagger: 0,
-    /** How often something waiting came, went, changed or got another time. */
+    /** Another number each time that a chip came, went, changed or got another time. */
     revision: 0,
 
-    /** Begins a drop, with the clock at `clock` and nothing waiting. */
+    /** Begins a drop with no chips, and with the clock at `clock`. */
     restart(clock: number) {
       count = slot = 0
       queue.clock = clock
       queue.chips = []
       queue.latest = -Infinity
       queue.revision++
+      idleSince = undefined
     },
 
-    /** Lets a chip wait for its turn behind all that were added before. */
+    /** Lets a chip wait for its release, after all that were added before. */
     add(chip: Chip) {
       chip.order = count++
       schedule(chip)
@@ -2986,60 +3048,86 @@ function createReleaseQueue() {
       return true
     },
 
-    /** Times the releases to come anew. */
+    /** Times the coming releases anew. */
     reschedule() {
       const waiting = queue.chips
       queue.chips = []
-      // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
+      // Counted from the last release: counted from now, a stagger that changes again and again would put the next one off for ever.
       slot = Math.max(0, queue.latest + queue.stagger / 1000)
       waiting.forEach(schedule)
+    },
+
+    /** Says whether nothing moves, so that the clock goes by the time of day. */
+    setIdle(idle: boolean) {
+      idleSince = idle ? (idleSince ?? performance.now()) : undefined
+    },
+
+    /**
+     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a release falls
+     * on the same place within its step as without a pause.
+     */
+    catchUp() {
+      if (idleSince === undefined) return
+      const now = performance.now()
+      const untilNext = (queue.chips[0]?.due ?? Infinity) - queue.clock
+      const steps = STEP * Math.max(0, Math.floor(Math.min((now - idleSince) / 1000, untilNext) / STEP))
+      queue.clock += steps
+      idleSince = Math.max(idleSince + 1000 * steps, now - 1000 * STEP)
+    },
+
+    /** Skips what is left of the time before the first release. */
+    skipHeadStart() {
+      queue.clock = 0
+      if (idleSince !== undefined) idleSince = performance.now()
     },
   }
   return queue
 }
 
+type ReleaseQueue = ReturnType<typeof createReleaseQueue>
+
 // stage/look-ahead: how each chip will lie, before anyone sees it ───────────────────────────────────────────
 
-// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie; equal steps give equal
-// bits, so it tells the truth. A chip is then drawn turned from the start: after half a turn its body is the same, and so is the pile.
+// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie. Equal steps
+// give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its body looks the same after half a turn.
 
-/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs roll on for longer. */
+/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs roll for longer. */
 const FORESIGHT = 6
-/** ms of one slice of this work. */
-const LOOK_SLICE = 4
+/** ms, how long one slice of the work takes. */
+const SLICE = 4
 
 type Outline = Pick<Release, 'width' | 'height' | 'radius'>
 
-/** rad that turn a body lying at `angle` as near to upright as it goes without a change of its outline. */
+/** rad by which a body at `angle` has to turn to be as near to upright as it can be with the same outline. */
 function uprightTurn({ width, height, radius }: Outline, angle: number) {
   if (width === height && radius >= width / 2) return -angle
   const same = width === height ? Math.PI / 2 : Math.PI
   return -same * Math.round(angle / same)
 }
 
-/** What is to come on a stage: its releases, in their order, and its clock, s. */
+/** The releases that are to come on a stage, in their order, and the clock of the stage, s. */
 interface Coming<T extends Release = Release> {
   chips: T[]
   clock: number
-  /** Another number whenever something else is to come than before. */
+  /** Another number each time that the releases to come have changed. */
   revision: number
 }
 
-/** `prepare` is called with each chip before its release in the copy. */
+/** Goes ahead of a pile in a copy of its world; calls `prepare` with each chip before its release there. */
 function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
   let copy: Pile<T> | undefined
   let waiting: T[] = []
   let revision = Number.NaN
-  /** s of the stage's clock to which the copy has come. */
+  /** s on the stage's clock, how far the copy has come. */
   let time = 0
 
   return {
     /**
-     * Lets the copy go on for a slice, from the shown pile if something has interfered with that, or if the copy has fallen behind.
-     * Returns whether it is as far ahead as it is to go.
+     * Lets the copy go on for a slice. It starts again from the shown pile when something but time has changed that, or when
+     * the copy has fallen behind. Returns whether the copy is as far ahead as it is to go.
      */
     advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
-      const end = performance.now() + LOOK_SLICE
+      const end = performance.now() + SLICE
       const now = coming.clock - shown.world.left
       copy ??= { world: createWorld({ width: 1, height: 1 }), chips: [] }
       const { world } = copy
@@ -3050,7 +3138,7 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
         revision = coming.revision
         time = now
       }
-      // Where nothing moves the next thing to happen is a release.
+      // While nothing moves, the next event is a release.
       const first = coming.chips[0]
       const horizon = FORESIGHT + (first && shown.world.resting ? first.due : now)
       while (time < horizon && (waiting[0] || !world.resting)) {
@@ -3066,12 +3154,12 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
       return true
     },
 
-    /** rad at which the body of a released chip is expected to lie, as far as that is known by now. */
+    /** rad at which the body of a released chip is expected to lie; undefined while that is not known. */
     expectedAngle(chip: T): number | undefined {
       return copy?.chips[chip.id] === chip ? copy.world.read(chip.id).angle : undefined
     },
 
-    /** Gives the copy back. */
+    /** Drops the copy, so that its memory is free. */
     end() {
       copy = undefined
       revision = Number.NaN
@@ -3079,9 +3167,11 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
   }
 }
 
-// stage/props: what a caller may pass, and what stands in for the rest ──────────────────────────────────────
+type LookAhead<T extends Release> = ReturnType<typeof createLookAhead<T>>
 
-/** Default and largest value of each number that a caller may give; none is below 0. The stagger is in ms. */
+// stage/props: what a caller may pass, and what holds instead ───────────────────────────────────────────────
+
+/** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
 const LIMITS = {
   gravity: [GRAVITY, 20000],
   bounce: [BOUNCE, 1],
@@ -3089,18 +3179,34 @@ const LIMITS = {
   stagger: [150, 60000],
 } as const
 
+/** The props that a caller has given to the stage, unchecked. */
+interface StageProps {
+  gravity?: number | undefined
+  bounce?: number | undefined
+  friction?: number | undefined
+  stagger?: number | undefined
+  interactive: boolean
+  upright: boolean
+  /** False: the first chips lie in the stage from the start. */
+  initial: boolean
+  onSettle?: (() => void) | undefined
+}
+
+/** The props that hold: checked, and none left out. */
+type Settings = StageProps & { [name in keyof typeof LIMITS]: number }
+
 declare const process: { env: { NODE_ENV?: string } }
 
 const warned = new Set<string>()
 
-/** Tells a developer once what is wrong, why, and what to do; bundlers drop it from production. */
+/** Tells a developer once what is wrong, why, and what to do. Bundlers drop the calls from production. */
 function warn(message: string) {
   if (warned.has(message)) return
   warned.add(message)
   console.warn(`GravityStack: ${message}`)
 }
 
-/** A value as a warning shows it. Symbols and objects of no kind can't be put in a text as they are. */
+/** A value as a warning shows it. Some symbols and objects can't be turned into text. */
 function written(value: unknown) {
   try {
     return typeof value === 'string' ? JSON.stringify(value) : String(value)
@@ -3109,8 +3215,8 @@ function written(value: unknown) {
   }
 }
 
-/** The number that stands for what a caller wrote. */
-function sane(name: keyof typeof LIMITS, value: unknown) {
+/** The number that holds for what a caller gave. */
+function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
@@ -3120,47 +3226,71 @@ function sane(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
-// stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
+/** The settings that hold for what a caller gave. */
+function checkedProps(given: StageProps): Settings {
+  const settings = { ...given } as Settings
+  for (const name of ['interactive', 'upright', 'initial'] as const) {
+    settings[name] = !!given[name]
+    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
+      warn(
+        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+      )
+  }
+  for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[])
+    settings[name] = checkedNumber(name, given[name])
+  if (typeof given.onSettle !== 'function') {
+    settings.onSettle = undefined
+    // `ready && save` is how people leave a callback out.
+    if (process.env.NODE_ENV !== 'production' && given.onSettle)
+      warn(
+        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+      )
+  }
+  return settings
+}
+
+// stage/context: what the parts of a stage share ────────────────────────────────────────────────────────────
 
 type View = typeof globalThis & Window
 
-type Observers = { view: IntersectionObserver; near: IntersectionObserver }
-
-const observers = new WeakMap<View, Observers>()
-/** What is called with each entry of a stage, whether it is near the view or in it. */
-const watched = new WeakMap<Element, (entry: IntersectionObserverEntry, near: boolean) => void>()
-
-/** Tell what of those that are in `watched` is in view, and what is within a screen of it; all stages of a window share them. */
-function observersOf(view: View): Observers {
-  let both = observers.get(view)
-  if (!both) {
-    const observer = (near: boolean, options: object) =>
-      new view.IntersectionObserver((entries) => {
-        for (const entry of entries) watched.get(entry.target)?.(entry, near)
-      }, options)
-    both = {
-      // Of a very tall stage even a hundredth may be all that fits.
-      view: observer(false, { threshold: Array.from({ length: 101 }, (_, i) => i / 100) }),
-      near: observer(true, { rootMargin: '100%' }),
-    }
-    observers.set(view, both)
-  }
-  return both
+/** What the parts of a stage share. */
+interface Context {
+  root: HTMLElement
+  /** The stage's own window: in one that the page has opened, observers of the page would not see the stage. */
+  view: View
+  /** Matches while the chips stand in a row. */
+  still: MediaQueryList
+  /** Whether the caller has paused the stage. */
+  pausing: { current: boolean }
+  settings: Settings
+  /** px, size of the stage; zero while it has none. Written by `sizes`. */
+  width: number
+  height: number
+  /** Brings the state in line with all that is known. Every event ends in it. */
+  update(): void
 }
+
+// stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
+
+/** Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at once. */
+const IN_VIEW = 0.25
+const FILLS_VIEW = 0.5
+/** ms until a stage that a transform has scaled to nothing is checked again. */
+const CHECK_AGAIN = 200
 
 /** The element around another, outside of a shadow tree too. */
 function above(node: Element): Element | null | undefined {
   return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
-/** px², the most of the stage that can be seen at once: what it scrolls in shows no more, nor does the window. */
+/** px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls in. */
 function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
   const { body, defaultView } = root.ownerDocument
-  // A frame of another site is not told how large the window is, one of the same site that of the page around it.
+  // A frame of another site has no root bounds. To a frame of the same site they are those of the page around it.
   let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
   let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
   for (let node = above(root); node; node = above(node)) {
-    // What the body says of overflow counts for the window.
+    // The overflow of the body applies to the window.
     if (node === body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
     wide = Math.min(wide, node.clientWidth)
     high = Math.min(high, node.clientHeight)
@@ -3168,44 +3298,674 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   return Math.min(wide, whole.width) * Math.min(high, whole.height)
 }
 
+/** Knows whether a stage is in view; calls `approach` when the stage first comes within a screen of the view. */
+function createVisibility({ root, view, update }: Context, approach: () => void) {
+  let timer: ReturnType<typeof setTimeout> | undefined
+  const nearby = new view.IntersectionObserver(
+    (entries) => {
+      if (!entries.some(({ isIntersecting }) => isIntersecting)) return
+      nearby.disconnect()
+      observer.observe(root)
+      approach()
+    },
+    { rootMargin: '100%' },
+  )
+  // Of a very tall stage even a hundredth may be all that fits into the window.
+  const threshold = Array.from({ length: 101 }, (_, i) => i / 100)
+  const observer = new view.IntersectionObserver((entries) => entries.forEach(inspect), { threshold })
+
+  function inspect(entry: IntersectionObserverEntry) {
+    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
+    visibility.inView = isIntersecting
+    visibility.wasInView ||= isIntersecting
+    const area = shown.width * shown.height
+    // Without a size the ratio is 1 as soon as the stage is anywhere in view.
+    if (!visibility.started && area)
+      visibility.started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
+    clearTimeout(timer)
+    if (isIntersecting && !(whole.width * whole.height)) {
+      const { clientWidth, clientHeight } = root
+      if (clientWidth * clientHeight)
+        // A stage that a transform has scaled to nothing is as much in view as later, so no entry would tell when it grows.
+        timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
+      else if (process.env.NODE_ENV !== 'production')
+        warn(
+          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
+        )
+    }
+    update()
+  }
+
+  const visibility = {
+    /** Whether the drop has started: enough of the stage has been in view. */
+    started: false,
+    inView: false,
+    wasInView: false,
+
+    start() {
+      visibility.started = true
+    },
+
+    /** Has the browser tell anew what of the stage is in view. */
+    checkAgain() {
+      observer.disconnect()
+      observer.observe(root)
+    },
+
+    observe: () => nearby.observe(root),
+
+    disconnect() {
+      visibility.inView = false
+      nearby.disconnect()
+      observer.disconnect()
+      clearTimeout(timer)
+    },
+  }
+  return visibility
+}
+
+type Visibility = ReturnType<typeof createVisibility>
+
 // stage/frame-loop: a call in every frame ───────────────────────────────────────────────────────────────────
 
-/** Calls `tick` once in every frame of a window, from `start` to `stop`. */
-function createLoop(view: View, tick: () => void) {
+/** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was. */
+const LONGEST_FRAME = 0.05
+
+/** Calls `tick` in every frame of a window from `run` on, with the seconds since the frame before. */
+function createFrameLoop(view: View, tick: (seconds: number) => void) {
   /** Whether Motion has called nothing since the window's last frame. */
   let missed = false
   let request = 0
+  /** ms, time of the frame before. */
+  let last: number | undefined
+  let timer: ReturnType<typeof setTimeout> | undefined
 
-  /** Motion's loop has it write after all that animations of the page read. */
-  function run() {
+  /** Motion's loop calls this after all that animations of the page read. */
+  function render() {
     missed = false
-    tick()
+    // The frame's own time is smoother than the moment at which its callbacks run.
+    const time = Number(view.document.timeline.currentTime)
+    const seconds = (time - (last ?? time)) / 1000
+    last = time
+    tick(Math.min(Math.max(seconds, 0), LONGEST_FRAME))
   }
 
   /**
-   * The window's own frames, for when Motion's loop stands still. An error in anybody's callback ends that loop for good, and
-   * a window opened by the page goes on while the page itself is hidden.
+   * Calls itself in the window's own frames, and `render` where Motion's loop stands still. An error in anybody's
+   * callback ends Motion's loop for good. A window that the page has opened goes on while the page is hidden.
    */
   function watch() {
     request = view.requestAnimationFrame(watch)
-    if (missed) tick()
+    if (missed) render()
     missed = true
   }
 
+  function stop() {
+    clearTimeout(timer)
+    cancelFrame(render)
+    view.cancelAnimationFrame(request)
+    request = 0
+    last = undefined
+  }
+
   return {
-    start() {
+    run() {
+      clearTimeout(timer)
       if (request) return
-      frame.render(run, true)
+      frame.render(render, true)
       missed = false
       watch()
     },
-    stop() {
-      cancelFrame(run)
-      view.cancelAnimationFrame(request)
-      request = 0
+    /** Calls `arrive` once, after `seconds` without frames. */
+    wait(arrive: () => void, seconds: number) {
+      stop()
+      timer = setTimeout(arrive, seconds * 1000)
     },
+    stop,
   }
 }
+
+// stage/pile: the chips in their world ──────────────────────────────────────────────────────────────────────
+
+/** px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+const VISIBLE = 0.0121
+
+/** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
+function createPile(
+  context: Context,
+  queue: ReleaseQueue,
+  lookAhead: LookAhead<Chip>,
+  changes: MutationObserver,
+) {
+  const { settings } = context
+  let launches = 0
+  /** Whether chips that had left by the top have come back since somebody last did something. */
+  let recovered = false
+
+  function reset(chip: Chip) {
+    chip.id = -1
+    chip.turn = 0
+    chip.turned = false
+    setState(chip, 'waiting')
+  }
+
+  function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
+    const chip = pile.chips[id]!
+    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    const angle = bodyAngle + chip.turn
+    const dx = x - chip.x
+    const dy = y - chip.y
+    const swung = (angle - chip.angle) * chip.reach
+    // All radii of this frame have been read by now: a read after a write would compute the styles twice.
+    if (Number.isNaN(chip.x)) applyCornerRadius(chip)
+    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it lies, even
+    // if its last movement was too small to see.
+    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
+      chip.x = x
+      chip.y = y
+      chip.angle = angle
+      draw(chip)
+    }
+    if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+  }
+
+  /** Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage, out of sight. */
+  function turnUnseen(chip: Chip, y: number, angle: number) {
+    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
+    if (y + chip.reach + fall < 0) return
+    chip.turned = true
+    // Before a chip is first drawn it is out of sight as well.
+    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
+  }
+
+  const pile = {
+    world: undefined as World | undefined,
+    /** The chips in the world, by the ids of their bodies. */
+    chips: [] as Chip[],
+
+    /** Begins a drop of these chips, with the clock of the queue at `clock`. */
+    begin(chips: Chip[], clock: number) {
+      pile.world = createWorld({ ...settings, width: context.width, height: context.height })
+      pile.chips = []
+      queue.restart(clock)
+      for (const chip of chips) {
+        reset(chip)
+        if (chip.width) queue.add(chip)
+      }
+    },
+
+    /** Lets the time pass until `end`, s on the clock of the queue, with the releases on the way. */
+    advance(end: number) {
+      const world = pile.world!
+      while (queue.chips[0] && queue.chips[0].due <= end) {
+        const chip = queue.chips.shift()!
+        world.step(chip.due - queue.clock)
+        queue.clock = chip.due
+        pile.release(chip)
+      }
+      world.step(end - queue.clock)
+      queue.clock = end
+    },
+
+    release(chip: Chip) {
+      const { radius } = chip
+      measureRadius(chip, changes)
+      // The look-ahead has released it with another radius.
+      if (radius !== chip.radius) queue.revision++
+      queue.latest = queue.clock
+      chip.id = addReleased({ world: pile.world!, chips: pile.chips }, chip, context.width, settings.gravity)
+      chip.x = Number.NaN
+    },
+
+    /** Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to move up. */
+    withdraw(chip: Chip) {
+      const waited = queue.remove(chip)
+      pile.world?.remove(chip.id)
+      delete pile.chips[chip.id]
+      reset(chip)
+      return waited
+    },
+
+    /** Takes over the size (px) that a chip has now, and the corner radius with it. */
+    setSize(chip: Chip, width: number, height: number) {
+      const sameSize = chip.width === width && chip.height === height
+      if (!chip.width) queue.add(chip)
+      chip.width = width
+      chip.height = height
+      chip.reach = reach(width, height)
+      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in one frame.
+      if (chip.id < 0) {
+        chip.radius = Number.NaN
+        queue.revision++
+        return
+      }
+      const { radius } = chip
+      measureRadius(chip, changes)
+      if (sameSize && chip.radius === radius) return
+      const world = pile.world!
+      // A body of another shape looks different after a turn: it is turned to where its chip is drawn.
+      if (chip.turn) world.place(chip.id, { angle: world.read(chip.id).angle + chip.turn })
+      chip.turn = 0
+      world.reshape(chip.id, chip)
+      draw(chip)
+      applyCornerRadius(chip)
+    },
+
+    draw: () => pile.world!.eachMoved(drawMoved),
+
+    /** Turns all chips to what is upright where they lie, which nobody has seen yet. */
+    turnAll() {
+      pile.chips.forEach((chip) => {
+        chip.turned = true
+        if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
+      })
+    },
+
+    /** Takes hold of a chip at a point, px from its centre. */
+    grab(chip: Chip, offX: number, offY: number) {
+      pile.touch()
+      const { x, y } = pile.world!.read(chip.id)
+      return pile.world!.grab(chip.id, x + offX, y + offY)
+    },
+
+    /** Sends a chip about `height` px up. */
+    launch(chip: Chip, height: number) {
+      pile.touch()
+      pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
+    },
+
+    /** Releases the chips anew that have left a stage without gravity by the top, where they would float for good. */
+    recover() {
+      // Only once until somebody does something: a full stage would push them out again and again.
+      if (settings.gravity || recovered) return
+      recovered = true
+      pile.chips.forEach((chip) => {
+        if (chip.y < -chip.reach) {
+          pile.withdraw(chip)
+          queue.add(chip)
+        }
+      })
+    },
+
+    /** Puts a chip that waits, or is above the stage, where it can be seen, without any time. */
+    bringIn(chip: Chip) {
+      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+      if (chip.id < 0) pile.release(chip)
+      pile.world!.place(chip.id, { y: chip.reach })
+      pile.draw()
+    },
+
+    /** Somebody does something, after which chips may be released anew once more. */
+    touch() {
+      recovered = false
+    },
+  }
+  return pile
+}
+
+type StagePile = ReturnType<typeof createPile>
+
+// stage/plan: what is computed between frames ───────────────────────────────────────────────────────────────
+
+/** s after the last release that a pile which lies there from the start is given to come to rest. */
+const LONGEST_SETTLING = 20
+/** s that the first release waits at most until it is known how its chips will lie. */
+const HEAD_START = 0.25
+
+/** Begins drops, and computes between frames, slice by slice, how chips will lie, or the pile that lies there from the start. */
+function createPlan(
+  context: Context,
+  queue: ReleaseQueue,
+  lookAhead: LookAhead<Chip>,
+  pile: StagePile,
+  visibility: Visibility,
+) {
+  const { settings } = context
+  let timer: ReturnType<typeof setTimeout> | undefined
+  let enabled = false
+
+  function work() {
+    timer = undefined
+    if (!enabled) return
+    if (plan.settling) return settle()
+    if (
+      !lookAhead.advance({ world: pile.world!, chips: pile.chips }, queue, context.width, settings.gravity)
+    ) {
+      // While nothing moves no frame asks for the next slice.
+      if (pile.world!.resting) plan.request()
+    } else if (queue.clock < 0 && queue.latest < 0) {
+      queue.skipHeadStart()
+      context.update()
+    }
+  }
+
+  /** Lets the drop pass, for as long as a slice is. */
+  function settle() {
+    const end = performance.now() + SLICE
+    while (queue.chips[0] || (!pile.world!.resting && queue.clock < queue.latest + LONGEST_SETTLING)) {
+      if (performance.now() > end) return plan.request()
+      pile.advance(queue.clock + STEP)
+    }
+    pile.turnAll()
+    plan.show()
+    pile.draw()
+    context.update()
+  }
+
+  const plan = {
+    /** Whether the pile that lies there from the start is still falling, unseen. */
+    settling: false,
+
+    /** Begins a drop of these chips. */
+    begin(chips: Chip[]) {
+      plan.settling = !pile.world && !settings.initial
+      pile.begin(chips, settings.upright && !plan.settling ? -HEAD_START : 0)
+    },
+
+    /** The row gives way to the pile. */
+    show() {
+      plan.settling = false
+      visibility.start()
+      context.root.removeAttribute('data-row')
+    },
+
+    /** Says whether slices are worth their time. */
+    enable(yes: boolean) {
+      enabled = yes
+      plan.request()
+    },
+
+    /** Asks for a slice outside of the frame, if a chip can still be turned. */
+    request() {
+      if (enabled && (plan.settling || queue.chips.length || pile.chips.some(({ turned }) => !turned)))
+        timer ??= setTimeout(work)
+      else lookAhead.end()
+    },
+
+    end() {
+      clearTimeout(timer)
+      timer = undefined
+      plan.enable(false)
+    },
+  }
+  return plan
+}
+
+type Plan = ReturnType<typeof createPlan>
+
+// stage/sizes: the sizes of the stage and its chips ─────────────────────────────────────────────────────────
+
+/** What a stage does when sizes change. */
+interface SizeEvents {
+  /** A chip has lost its size. */
+  emptied(chip: Chip): void
+  /** The stage has a size; before, it had none if `appeared`. */
+  stageSized(appeared: boolean): void
+  /** All that a paused stage shows has been brought in line. */
+  done(): void
+}
+
+/** Watches the sizes of a stage and its chips. */
+function createSizes(
+  context: Context,
+  { chips, chipAt }: Children,
+  pile: StagePile,
+  { emptied, stageSized, done }: SizeEvents,
+) {
+  const { root, view } = context
+  /** Nothing is watched while the chips stand in their row. */
+  let watching = false
+  const observer = new view.ResizeObserver((entries) => {
+    for (const { target, contentRect } of entries) {
+      const chip = chipAt(target)
+      if (chip) setChipSize(chip, contentRect.width, contentRect.height)
+      else if (target === root) readStageSize()
+    }
+    context.update()
+    if (!pile.world || !context.pausing.current) return
+    // No time passes, but nothing may stay behind a wall or in another chip.
+    pile.world.makeRoom()
+    pile.draw()
+    done()
+  })
+
+  function readStageSize() {
+    const appeared = !(context.width * context.height)
+    context.width = root.clientWidth
+    context.height = root.clientHeight
+    if (!(context.width * context.height)) return
+    stageSized(appeared)
+    // A chip that has lost its size while the stage had none had none to lose.
+    if (appeared)
+      chips.forEach((chip) => {
+        if (chip.width && !chip.element.offsetWidth) setChipSize(chip, 0, 0)
+      })
+  }
+
+  function setChipSize(chip: Chip, width: number, height: number) {
+    if (width * height) return pile.setSize(chip, width, height)
+    // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
+    if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
+    if (process.env.NODE_ENV !== 'production')
+      warn(
+        'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
+      )
+    chip.width = 0
+    emptied(chip)
+  }
+
+  const sizes = {
+    /** Watches the stage and its chips, or nothing; returns whether that is new. */
+    watch(yes: boolean) {
+      if (yes === watching) return false
+      watching = yes
+      observer.disconnect()
+      if (yes) {
+        observer.observe(root)
+        chips.forEach(sizes.add)
+      }
+      return true
+    },
+    add({ element }: Chip) {
+      if (watching) observer.observe(element)
+    },
+    remove: ({ element }: Chip) => observer.unobserve(element),
+  }
+  return sizes
+}
+
+// stage/listeners: events, until their listeners end ────────────────────────────────────────────────────────
+
+/** Listens before handlers on the way to the target, which may keep the event to themselves. */
+const CAPTURE = { capture: true }
+
+type Listen = (target: EventTarget, type: string, handler: (event: never) => void, options?: object) => void
+
+/** Returns a function that adds listeners; all of them end with `controller`. */
+function listenUntil({ signal }: AbortController): Listen {
+  return (target, type, handler, options) =>
+    target.addEventListener(type, handler as EventListener, { signal, ...options })
+}
+
+// stage/focus: the chip that has the focus ──────────────────────────────────────────────────────────────────
+
+/** Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its release. */
+function createFocus(
+  { root, view, still, pausing, update }: Context,
+  { chipAt }: Children,
+  pile: StagePile,
+  hurry: () => void,
+) {
+  let front = 0
+  /** The chip that got the focus before it lay, until it lies. */
+  let followed: Chip | undefined
+  let listen: Listen
+
+  const focus = {
+    listen(on: Listen) {
+      listen = on
+      on(root, 'focusin', focus.on)
+    },
+
+    toFront({ element }: Chip) {
+      element.style.zIndex = `${++front}`
+    },
+
+    on({ target }: { target: EventTarget | null }) {
+      const chip = chipAt(target)
+      if (!chip) return
+      focus.toFront(chip)
+      if (still.matches) return
+      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies, it comes itself if
+      // that was not enough. A press scrolls nothing, though a field shows its focus then as well; nor does the focus that a
+      // dialog gives back.
+      const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
+      if (unseen && chip.state !== 'resting') {
+        if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
+        followed = chip
+        // People who scroll on meanwhile are not brought back.
+        for (const type of ['wheel', 'touchmove', 'keydown'])
+          listen(view, type, () => (followed = undefined), { ...CAPTURE, once: true })
+      }
+      if (chip.id < 0) hurry()
+      if (unseen) focus.bringIn(chip)
+      update()
+    },
+
+    /** Does what is to do for the element that has the focus already, in the page or in the stage's shadow tree. */
+    active: () => ({ target: (root.getRootNode() as Document).activeElement }),
+
+    /** In a paused stage, where no time passes, puts a chip where it can be seen. */
+    bringIn(chip: Chip | undefined) {
+      if (chip && pile.world && pausing.current) pile.bringIn(chip)
+    },
+
+    /** Brings the chip that was followed into view once it lies. */
+    follow() {
+      if (followed?.state !== 'resting') return
+      if (followed.element.matches(':focus-within')) followed.element.scrollIntoView({ block: 'nearest' })
+      followed = undefined
+    },
+  }
+  return focus
+}
+
+type Focus = ReturnType<typeof createFocus>
+
+// stage/state: static, waiting, running, paused or resting ──────────────────────────────────────────────────
+
+/** `data-state` of a stage. */
+type StageState = 'static' | 'waiting' | 'running' | 'paused' | 'resting'
+
+/** What the state of a stage depends on. */
+interface Facts {
+  /** People prefer reduced motion, or the page is printed. */
+  still: boolean
+  /** The stage has come into view and its pile can be shown. */
+  ready: boolean
+  /** The caller has paused the stage. */
+  paused: boolean
+  /** No chip moves, and none waits for its release. */
+  settled: boolean
+  /** The stage is on screen, has a size, and its tab is visible. */
+  shown: boolean
+}
+
+function nextState({ still, ready, paused, settled, shown }: Facts): StageState {
+  if (still) return 'static'
+  if (!ready) return 'waiting'
+  if (paused) return 'paused'
+  if (settled) return 'resting'
+  return shown ? 'running' : 'paused'
+}
+
+// stage/lifecycle: what passes the time in each state ───────────────────────────────────────────────────────
+
+/** Owns the state of a stage, and with it what passes the time: frames, a timer, or nothing. */
+function createLifecycle(
+  context: Context,
+  queue: ReleaseQueue,
+  pile: StagePile,
+  plan: Plan,
+  visibility: Visibility,
+  focus: Focus,
+  { chips }: Children,
+) {
+  const { root, settings, still, pausing } = context
+  let state: StageState = 'static'
+  const loop = createFrameLoop(context.view, (seconds) => {
+    pile.advance(queue.clock + seconds)
+    pile.draw()
+    focus.follow()
+    plan.request()
+    if (!pile.world!.resting) return
+    pile.recover()
+    context.update()
+  })
+
+  /** The next release is due after a time without frames. */
+  function arrive() {
+    queue.setIdle(false)
+    pile.advance(queue.chips[0]!.due)
+    context.update()
+  }
+
+  function enter(next: StageState) {
+    const settled = state === 'running' && next === 'resting'
+    state = next
+    pile.touch()
+    root.setAttribute('data-state', next)
+    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it changes.
+    root.toggleAttribute('data-halted', next === 'static' || next === 'paused')
+    if (next === 'resting') {
+      pile.chips.forEach(exposeAngle)
+      if (process.env.NODE_ENV !== 'production') warnOfLargeChips()
+    }
+    // After the frame: an error in a callback would end Motion's loop for the whole page.
+    if (settled && settings.onSettle) queueMicrotask(settings.onSettle)
+  }
+
+  /** Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower. */
+  function warnOfLargeChips() {
+    const { width, height } = context
+    chips.forEach((chip) => {
+      if (width * height && (chip.width > width - 2 || chip.height > height))
+        warn(
+          'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
+        )
+    })
+  }
+
+  const lifecycle = {
+    /** Running or at rest: people may touch the stage. */
+    isLive: () => state === 'running' || state === 'resting',
+
+    update() {
+      queue.catchUp()
+      const { world } = pile
+      const idle = !!world?.resting
+      const next = nextState({
+        still: still.matches,
+        ready: visibility.started && !!world && !plan.settling,
+        paused: pausing.current,
+        settled: idle && !queue.chips.length,
+        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
+      })
+      const running = next === 'running'
+      if (running && !idle) loop.run()
+      // Nothing moves before the next release: a timer is enough until then.
+      else if (running) loop.wait(arrive, queue.chips[0]!.due - queue.clock)
+      else loop.stop()
+      queue.setIdle(idle && (running || next === 'resting'))
+      plan.enable(!!world && (plan.settling || settings.upright) && (running || next === 'waiting'))
+      if (next !== state) enter(next)
+    },
+  }
+  return lifecycle
+}
+
+type Lifecycle = ReturnType<typeof createLifecycle>
 
 // stage/pointers: presses, drags and taps ───────────────────────────────────────────────────────────────────
 
@@ -3213,6 +3973,8 @@ function createLoop(view: View, tick: () => void) {
 const TOUCH_HOLD = 180
 const TOUCH_DRAG_START = 8
 
+/** px, how high a tapped chip hops. */
+const HOP = 36
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
@@ -3250,19 +4012,10 @@ interface Press {
   grab?: Grab
 }
 
-/** Before any handler on the way that keeps events to itself. */
-const FIRST = { capture: true }
-
 /** Nothing comes of it, and nobody on the way hears of it. */
 function stop(event: Event) {
   event.preventDefault()
   event.stopPropagation()
-}
-
-/** Adds listeners that end with `controller`. */
-function hearing({ signal }: AbortController) {
-  return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
-    target.addEventListener(type, handler as EventListener, { signal, ...more })
 }
 
 /** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
@@ -3302,20 +4055,14 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** What the stage does for its pointers. */
-interface Hands {
-  /** The chip in an element, while the stage takes part in things. */
-  find(element: Element | null): Chip | undefined
-  /** Takes hold of a chip at a point, px from its centre. */
-  take(chip: Chip, offX: number, offY: number): Grab
-  /** Shows that it is held, or no more. */
-  show(chip: Chip, state: Chip['state']): void
-  tap(chip: Chip): void
-}
-
 /** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
-function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
-  const view = root.ownerDocument.defaultView!
+function createPointers(
+  { root, view, update }: Context,
+  { chips }: Children,
+  pile: StagePile,
+  focus: Focus,
+  { isLive }: Lifecycle,
+) {
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
   let swallowClick = false
@@ -3325,14 +4072,14 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
   /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
   function listenToPointers() {
     pressing = new AbortController()
-    const on = hearing(pressing)
+    const on = listenUntil(pressing)
     // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
-    on(view, 'dragstart', stop, FIRST)
-    on(view, 'pointermove', move, FIRST)
-    on(view, 'scroll', follow, FIRST)
-    on(view, 'pointerup', up, FIRST)
-    on(view, 'pointercancel', up, FIRST)
-    on(view, 'lostpointercapture', up, FIRST)
+    on(view, 'dragstart', stop, CAPTURE)
+    on(view, 'pointermove', move, CAPTURE)
+    on(view, 'scroll', follow, CAPTURE)
+    on(view, 'pointerup', up, CAPTURE)
+    on(view, 'pointercancel', up, CAPTURE)
+    on(view, 'lostpointercapture', up, CAPTURE)
   }
 
   const holds = () => root.querySelector('[data-state=held]')
@@ -3349,8 +4096,8 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
 
   /** The chip that an event is about. Of a stage in a chip the inner one is meant. */
   function touched(event: Event) {
-    const chip = find((event.target as Element).closest('[data-slot=gravity-stack-chip]'))
-    return chip && !isInside(chip, event, ELSEWHERE) ? chip : undefined
+    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+    return chip && chip.id >= 0 && isLive() && !isInside(chip, event, ELSEWHERE) ? chip : undefined
   }
 
   function down(event: PointerEvent) {
@@ -3376,7 +4123,7 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // From what is taken off the page meanwhile the root would hear no more.
-      hearing(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
+      listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
   }
 
@@ -3410,7 +4157,8 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
     // Another hand may have it, or may have taken it while a finger waited.
     if (chip.state === 'held') return letGo(press)
     clearTimeout(press.timer)
-    press.grab = take(chip, press.offX, press.offY)
+    focus.toFront(chip)
+    press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
     const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
@@ -3447,6 +4195,12 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
     letGo(press)
   }
 
+  function show(chip: Chip, state: Chip['state']) {
+    setState(chip, state)
+    draw(chip)
+    update()
+  }
+
   function letGo(press: Press) {
     presses.delete(press.down.pointerId)
     if (!presses.size) pressing!.abort()
@@ -3472,19 +4226,20 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
     swallow(event)
     const chip = touched(event)
     if (event.defaultPrevented || !chip || isInside(chip, event, CONTROL)) return
-    tap(chip)
+    pile.launch(chip, HOP)
+    update()
   }
 
   return {
     /** Hears presses and clicks from now on, and touches. */
-    listen(on: ReturnType<typeof hearing>) {
+    listen(on: Listen) {
       // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (swallowClick = false), FIRST)
+      on(view, 'pointerdown', () => (swallowClick = false), CAPTURE)
       on(root, 'pointerdown', down)
-      on(view, 'click', swallow, FIRST)
-      on(root, 'click', click, FIRST)
+      on(view, 'click', swallow, CAPTURE)
+      on(root, 'click', click, CAPTURE)
       // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
-      on(view, 'touchstart', pinch, FIRST)
+      on(view, 'touchstart', pinch, CAPTURE)
       on(root, 'touchmove', scroll, { passive: false })
     },
     /** An element that React moves to another place loses the pointer. */
@@ -3502,502 +4257,38 @@ function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
   }
 }
 
-// stage/stage: the DOM: measure, paint, observe, loop ───────────────────────────────────────────────────────
+// stage/stage: the parts, wired together ────────────────────────────────────────────────────────────────────
 
-/** No physics while one of these holds: the chips stand in a row, by CSS alone. The markup's query also asks whether there is script. */
+/** While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** Share of the stage in view that starts the drop; of one that is too large for that, share of what can be seen of it at once. */
-const IN_VIEW = 0.25
-const FILLS_VIEW = 0.5
-/** ms until a stage that a transform has scaled to nothing is looked at again. */
-const LOOK_AGAIN = 200
-/** s, longest time that one frame simulates: after a longer gap the pile goes on where it was. */
-const LONGEST_FRAME = 0.05
-/** px², of what a corner moves before a moving chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
-const VISIBLE = 0.0121
-/** px, height of the hop of a tapped chip. */
-const HOP = 36
 /** px, how high a shake throws at most. */
 const SHAKE = 230
-/** s after the last release that a pile which lies there from the start is given to come to rest. */
-const LONGEST_SETTLING = 20
-/** s that the first release waits at most for how its chips will lie to be known. */
-const HEAD_START = 0.25
-/** What the component was given; whatever a caller wrote. */
-interface StageOptions {
-  gravity?: number | undefined
-  bounce?: number | undefined
-  friction?: number | undefined
-  stagger?: number | undefined
-  interactive: boolean
-  upright: boolean
-  /** False: what is there at first lies there, and does not fall. */
-  initial: boolean
-  onSettle?: (() => void) | undefined
-}
 
-interface Stage {
-  /** Takes over new options at any time. */
-  update(options: StageOptions): void
-  drop(): void
-  shake(): void
-  /** To be called when `pausing` has changed. */
-  sync(): void
-  /** To be called once its element is on the page, and again after `detach`. */
-  attach(): void
-  /** Lets go of everything outside of it. Its pile it keeps: React ends the effects of what it only hides. */
-  detach(): void
-}
+type Stage = ReturnType<typeof createStage>
 
-/** `pausing.current` is whether its owner has paused the stage, which may be asked for before there is one. */
-function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
+/** `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a stage. */
+function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const page = root.ownerDocument
-  // Observers are of the stage's own window: in one that the page has opened no other sees it.
   const view = page.defaultView as View
-  const observers = observersOf(view)
   const still = view.matchMedia(STILL)
-  const chips = new Map<Element, Chip>()
-  const queue = createReleaseQueue()
-  const lookAhead = createLookAhead<Chip>((chip) => {
-    if (Number.isNaN(chip.radius)) look(chip, changes)
-  })
-  let bodies: Chip[] = []
-  let options: StageOptions & { [name in keyof typeof LIMITS]: number }
-  let world: World | undefined
-  let width = 0
-  let height = 0
-  let state = 'static'
-  /** Running or resting: people may touch it. */
-  let live = false
-  /** Whether the pile is still being made that lies there from the start. */
-  let making = false
-  /** Whether it is worth to know how chips will lie: before and during a drop. */
-  let planning = false
-  let started = false
-  let inView = false
-  /** Whether the stage was ever in view. */
-  let seenOnce = false
-  /** Whether sizes are watched: not where chips stand in their row. */
-  let moving = false
-  /** ms of the frame before, while frames run. */
-  let last: number | undefined
-  /** ms, when the clock was last right, while nothing moves and no frame counts the time. */
-  let idleSince: number | undefined
-  /** The next slice of the look-ahead. */
-  let planned: ReturnType<typeof setTimeout> | undefined
-  let timer: ReturnType<typeof setTimeout> | undefined
-  let unseen: ReturnType<typeof setTimeout> | undefined
-  /** The chip that got the focus before it lay. */
-  let followed: Chip | undefined
-  /** Whether what had left by the top was released anew since somebody last did something: in a full stage it would be for ever. */
-  let fetched = false
-  let front = 0
-  let kicks = 0
-  /** Ends all listeners. There from when the stage comes into view until it is detached. */
+  const settings = {} as Settings
+  const context: Context = { root, view, still, pausing, settings, width: 0, height: 0, update }
+  /** Ends all listeners; there from when the stage comes near the view until it is detached. */
   let listening: AbortController | undefined
-  const loop = createLoop(view, tick)
-  const pointers = createPointers(root, {
-    find(element) {
-      const chip = chips.get(element!)
-      return chip && chip.id >= 0 && live ? chip : undefined
-    },
-    take(chip, offX, offY) {
-      const { x, y } = world!.read(chip.id)
-      fetched = false
-      toFront(chip)
-      return world!.grab(chip.id, x + offX, y + offY)
-    },
-    show(chip, state) {
-      mark(chip, state)
-      draw(chip)
-      sync()
-    },
-    tap(chip) {
-      kick(chip, HOP)
-      sync()
-    },
-  })
 
-  // Shapes
-
-  const sizes = new view.ResizeObserver((entries) => {
-    for (const { target, contentRect } of entries) {
-      const chip = chipAt(target)
-      if (chip) shape(chip, contentRect.width, contentRect.height)
-      else if (target === root) {
-        const hidden = !(width * height)
-        width = root.clientWidth
-        height = root.clientHeight
-        if (width * height > 0) {
-          // A stage without a size counts as wholly in view, so that it tells nothing new when it is that with one.
-          if (hidden && !started) lookAgain()
-          if (world) world.resize(width, height)
-          else begin()
-          // What has lost its size meanwhile had none to lose.
-          if (hidden)
-            chips.forEach((chip) => {
-              if (chip.width && !chip.element.offsetWidth) shape(chip, 0, 0)
-            })
-        }
-      }
-    }
-    sync()
-    if (world && pausing.current) {
-      // No time passes, but nothing may stay behind a wall or in another chip.
-      world.makeRoom()
-      world.eachMoved(paint)
-      // It had the focus before it had a size.
-      bringIn(chipAt((root.getRootNode() as Document).activeElement))
-    }
-  })
-
-  function lookAgain() {
-    observers.view.unobserve(root)
-    observers.view.observe(root)
-  }
-
-  /** Chips come, go and change their look without a word from React. */
   const changes = new MutationObserver((records) => {
-    for (const { target } of records) reshape(target)
+    for (const { target } of records) restyle(target)
     collect()
     pointers.recapture()
-    sync()
+    update()
   })
-
-  function collect() {
-    // A chip that waits is clipped, which is out of view for Chromium: what loads lazily would wait for ever.
-    for (const late of Array.from(root.querySelectorAll('[loading=lazy]')))
-      late.setAttribute('loading', 'eager')
-    for (const element of Array.from(root.children) as HTMLElement[]) {
-      if (chips.has(element) || !element.hasAttribute('data-slot')) continue
-      chips.set(element, {
-        element,
-        state: 'waiting',
-        width: 0,
-        radius: Number.NaN,
-        id: -1,
-        angle: 0,
-        pinch: '',
-      } as Chip)
-      if (moving) sizes.observe(element)
-      // It has come with the focus.
-      if (element.matches(':focus-within')) focus({ target: element })
-    }
-    let waited = false
-    chips.forEach((chip, element) => {
-      if (element.parentNode === root) return
-      sizes.unobserve(element)
-      waited = withdraw(chip) || waited
-      chips.delete(element)
-    })
-    if (waited) queue.reschedule()
-  }
-
-  function chipAt(target: EventTarget | null) {
-    let node = target as Element | null
-    while (node && !chips.has(node)) node = node.parentElement
-    return chips.get(node!)
-  }
-
-  function reshape(target: EventTarget | null) {
-    const chip = chipAt(target)
-    if (chip?.width) shape(chip, chip.width, chip.height)
-  }
-
-  function shape(chip: Chip, chipWidth: number, chipHeight: number) {
-    if (!(chipWidth * chipHeight)) {
-      // Hidden with its stage, or while what it shows has the whole screen, it keeps its place in the pile.
-      if (!(width * height) || chip.element.querySelector(':fullscreen')) return
-      if (process.env.NODE_ENV !== 'production')
-        warn(
-          'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
-        )
-      chip.width = 0
-      if (withdraw(chip)) queue.reschedule()
-      return
-    }
-    const known = chip.width === chipWidth && chip.height === chipHeight
-    if (!chip.width) queue.add(chip)
-    chip.width = chipWidth
-    chip.height = chipHeight
-    chip.reach = reach(chipWidth, chipHeight)
-    // What still waits is looked at when its turn comes: at first that would be all of them in one frame.
-    if (chip.id < 0) {
-      chip.radius = Number.NaN
-      queue.revision++
-      return
-    }
-    const { radius } = chip
-    look(chip, changes)
-    if (known && chip.radius === radius) return
-    takeTurn(chip)
-    world!.reshape(chip.id, chip)
-    draw(chip)
-    round(chip)
-  }
-
-  /** Turns the body of a chip to where it is drawn: in another shape it would no longer look the same turned. */
-  function takeTurn(chip: Chip) {
-    if (chip.turn) world!.place(chip.id, { angle: world!.read(chip.id).angle + chip.turn })
-    chip.turn = 0
-  }
-
-  // Releases
-
-  function begin() {
-    making = !world && !options.initial
-    world = createWorld({ width, height, ...options })
-    bodies = []
-    queue.restart(options.upright && !making ? -HEAD_START : 0)
-    idleSince = undefined
-    // In the order of the children, however they came.
-    for (const element of Array.from(root.children)) {
-      const chip = chips.get(element)
-      if (!chip) continue
-      reset(chip)
-      if (chip.width) queue.add(chip)
-    }
-  }
-
-  /** Whether it waited for its release, so that those behind it are to move up. */
-  function withdraw(chip: Chip) {
-    const waited = queue.remove(chip)
-    pointers.letGo(chip)
-    world?.remove(chip.id)
-    delete bodies[chip.id]
-    reset(chip)
-    return waited
-  }
-
-  function reset(chip: Chip) {
-    chip.id = -1
-    chip.turn = 0
-    chip.turned = false
-    mark(chip, 'waiting')
-  }
-
-  function release(chip: Chip) {
-    const { radius } = chip
-    look(chip, changes)
-    // It has changed since it was looked at ahead of its turn.
-    if (radius !== chip.radius) queue.revision++
-    queue.latest = queue.clock
-    chip.id = addReleased({ world: world!, chips: bodies }, chip, width, options.gravity)
-    chip.x = Number.NaN
-  }
-
-  // The loop
-
-  function advance(end: number) {
-    while (queue.chips[0] && queue.chips[0].due <= end) {
-      const chip = queue.chips.shift()!
-      world!.step(chip.due - queue.clock)
-      queue.clock = chip.due
-      release(chip)
-    }
-    world!.step(end - queue.clock)
-    queue.clock = end
-  }
-
-  /**
-   * Counts the time in which nothing moved. The world has no part in it, as what moves by now has only just begun: so it is whole steps,
-   * and every release falls where it does in its step.
-   */
-  function catchUp() {
-    if (idleSince === undefined) return
-    const now = performance.now()
-    const passed = Math.min((now - idleSince) / 1000, (queue.chips[0]?.due ?? Infinity) - queue.clock)
-    const steps = STEP * Math.max(0, Math.floor(passed / STEP))
-    queue.clock += steps
-    idleSince = Math.max(idleSince + 1000 * steps, now - 1000 * STEP)
-  }
-
-  function tick() {
-    // The time of the frame itself: smoother than the moment its callbacks run.
-    const time = Number(page.timeline.currentTime)
-    advance(queue.clock + Math.min(Math.max(time - (last ?? time), 0) / 1000, LONGEST_FRAME))
-    last = time
-    world!.eachMoved(paint)
-    plan()
-    if (!world!.resting) return
-    if (!options.gravity && !fetched) {
-      fetched = true
-      // What has left by the top would float there for good: it is released anew.
-      bodies.forEach((chip) => {
-        if (chip.y < -chip.reach) {
-          withdraw(chip)
-          queue.add(chip)
-        }
-      })
-    }
-    sync()
-  }
-
-  function paint(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
-    const chip = bodies[id]!
-    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
-    const angle = bodyAngle + chip.turn
-    const dx = x - chip.x
-    const dy = y - chip.y
-    const swung = (angle - chip.angle) * chip.reach
-    // Once all that are released in this frame have been looked at: what is read after a write is styled twice.
-    if (Number.isNaN(chip.x)) round(chip)
-    // One corner at least has gone this far. A chip never drawn compares as not a number. A chip that has fallen asleep
-    // is drawn where it lies: its last movement may have been too small to be drawn.
-    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
-      chip.x = x
-      chip.y = y
-      chip.angle = angle
-      draw(chip)
-    }
-    if (chip.state !== 'held') mark(chip, asleep ? 'resting' : 'falling')
-  }
-
-  /** Turns a chip to what lies upright in the end: in the last frame in which it is sure to be above the stage, where nobody sees it turn. */
-  function turnUnseen(chip: Chip, y: number, angle: number) {
-    const fall = LONGEST_FRAME * (world!.read(chip.id).vy + (LONGEST_FRAME / 2) * options.gravity)
-    if (y + chip.reach + fall < 0) return
-    chip.turned = true
-    // Before it is first drawn it is out of sight as well.
-    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
-    chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
-  }
-
-  function mark(chip: Chip, next: Chip['state']) {
-    if (chip.state === next) return
-    chip.state = next
-    if (chip === followed && next === 'resting') {
-      followed = undefined
-      if (chip.element.matches(':focus-within')) chip.element.scrollIntoView({ block: 'nearest' })
-    }
-    chip.element.setAttribute('data-state', next)
-    if (next !== 'waiting') return
-    // It waits unseen, at the top of the stage, and comes back no nearer to the front than the rest, unless it has the focus.
-    chip.element.style.transform = ''
-    if (!chip.element.matches(':focus-within')) chip.element.style.zIndex = ''
-  }
-
-  /** Brings loop, timer and state in line with all there is to know. Every event ends here. */
-  function sync() {
-    if (!listening) return
-    // Looked at here, as Chromium tells nothing of a change that somebody has read before its event: a tab that comes back.
-    if (moving === still.matches) {
-      moving = !moving
-      sizes.disconnect()
-      if (moving) {
-        sizes.observe(root)
-        chips.forEach(({ element }) => {
-          sizes.observe(element)
-        })
-        // Who has the focus in the row waits for nobody.
-        focus({ target: (root.getRootNode() as Document).activeElement })
-      }
-    }
-    catchUp()
-    const idle = world?.resting
-    const next = still.matches
-      ? 'static'
-      : !started || !world || making
-        ? 'waiting'
-        : pausing.current
-          ? 'paused'
-          : idle && !queue.chips.length
-            ? 'resting'
-            : inView && !page.hidden && width * height
-              ? 'running'
-              : 'paused'
-    const running = next === 'running'
-    clearTimeout(timer)
-    if (running && !idle) loop.start()
-    else {
-      loop.stop()
-      last = undefined
-      // Nothing moves before the next release: a timer is enough until then.
-      if (running) timer = setTimeout(arrive, (queue.chips[0]!.due - queue.clock) * 1000)
-    }
-    live = running || next === 'resting'
-    idleSince = live && idle ? (idleSince ?? performance.now()) : undefined
-    if (!live) pointers.letGo()
-    planning = !!world && (making || options.upright) && (running || next === 'waiting')
-    plan()
-    if (next === state) return
-    const settled = state === 'running' && next === 'resting'
-    // Not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower.
-    if (process.env.NODE_ENV !== 'production' && next === 'resting')
-      chips.forEach((chip) => {
-        if (width * height && (chip.width > width - 2 || chip.height > height))
-          warn(
-            'a chip is as wide as its stage, or larger than it, so it may jam or be cut off. Make the chip smaller or the stage larger.',
-          )
-      })
-    state = next
-    fetched = false
-    root.setAttribute('data-state', next)
-    // Rules for chips go by this one: by its state they would all be styled anew each time that it changes.
-    root.toggleAttribute('data-halted', !live && next !== 'waiting')
-    if (next === 'resting') bodies.forEach(tellAngle)
-    // After the frame: an error in it would end Motion's loop for the whole page.
-    if (settled && options.onSettle) queueMicrotask(options.onSettle)
-  }
-
-  // The look-ahead
-
-  /** Has the look-ahead go on outside of the frame, while there are chips that can still be turned. */
-  function plan() {
-    const left = making || queue.chips.length || bodies.some(({ turned }) => !turned)
-    if (!planning || !left) lookAhead.end()
-    else planned ??= setTimeout(lookOn)
-  }
-
-  /** Lets the drop pass slice by slice, as nobody sees it: the row stands until all lie still. */
-  function make() {
-    const end = performance.now() + LOOK_SLICE
-    while (queue.chips[0] || (!world!.resting && queue.clock < queue.latest + LONGEST_SETTLING)) {
-      if (performance.now() > end) return plan()
-      advance(queue.clock + STEP)
-    }
-    for (const chip of bodies) {
-      if (!chip) continue
-      chip.turned = true
-      if (options.upright) chip.turn = uprightTurn(chip, world!.read(chip.id).angle)
-    }
-    show()
-    world!.eachMoved(paint)
-    sync()
-  }
-
-  /** The row gives way to the pile. */
-  function show() {
-    making = false
-    started = true
-    root.removeAttribute('data-row')
-  }
-
-  function lookOn() {
-    planned = undefined
-    if (!planning) return
-    if (making) return make()
-    if (!lookAhead.advance({ world: world!, chips: bodies }, queue, width, options.gravity)) {
-      // Where no frame brings the next slice.
-      if (world!.resting) plan()
-    } else if (queue.clock < 0 && queue.latest < 0) {
-      // All is known that the first release has waited for.
-      queue.clock = 0
-      if (idleSince !== undefined) idleSince = performance.now()
-      sync()
-    }
-  }
-
-  function arrive() {
-    idleSince = undefined
-    advance(queue.chips[0]!.due)
-    sync()
-  }
-
-  // Coming into view, and the focus
-
-  /** The stage comes within a screen of the view for the first time. Until then it has done nothing. */
-  function arm() {
+  const children = createChildren(root)
+  const queue = createReleaseQueue()
+  const lookAhead = createLookAhead<Chip>((chip) => {
+    if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
+  })
+  const pile = createPile(context, queue, lookAhead, changes)
+  const visibility = createVisibility(context, () => {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
         'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
@@ -4005,157 +4296,119 @@ function createStage(root: HTMLElement, pausing: { current: boolean }): Stage {
     changes.observe(root, { childList: true, subtree: true })
     listen()
     collect()
+    update()
+  })
+  const plan = createPlan(context, queue, lookAhead, pile, visibility)
+  const focus = createFocus(context, children, pile, () => {
+    visibility.start()
+    queue.catchUp()
+    queue.reschedule()
+  })
+  const sizes = createSizes(context, children, pile, {
+    emptied: (chip) => withdraw([chip]),
+    stageSized(appeared) {
+      // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
+      if (appeared && !visibility.started) visibility.checkAgain()
+      if (pile.world) pile.world.resize(context.width, context.height)
+      else plan.begin(children.inOrder())
+    },
+    // A chip may have got the focus before it had a size.
+    done: () => focus.bringIn(children.chipAt(focus.active().target)),
+  })
+  const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
+  const pointers = createPointers(context, children, pile, focus, lifecycle)
+
+  function restyle(target: EventTarget | null) {
+    const chip = children.chipAt(target)
+    if (chip?.width) pile.setSize(chip, chip.width, chip.height)
   }
 
-  function seen(entry: IntersectionObserverEntry, near: boolean) {
-    if (near) {
-      if (!entry.isIntersecting) return
-      observers.near.unobserve(root)
-      observers.view.observe(root)
-      arm()
-      return sync()
-    }
-    const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
-    inView = isIntersecting
-    seenOnce ||= inView
-    const unsized = inView && !(whole.width * whole.height)
-    if (process.env.NODE_ENV !== 'production' && unsized && !(root.clientWidth * root.clientHeight))
-      warn(
-        `a stage is ${root.clientWidth} px wide and ${root.clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
-      )
-    const area = shown.width * shown.height
-    // Of a stage without a size the ratio is 1 as soon as it is anywhere in view.
-    if (!started && area) started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
-    // Scaled to nothing it is as much in view as when it has grown, so nobody would tell: it is asked again.
-    clearTimeout(unseen)
-    if (unsized && root.offsetWidth * root.offsetHeight) unseen = setTimeout(lookAgain, LOOK_AGAIN)
-    sync()
+  function collect() {
+    const gone = children.collect((chip) => {
+      sizes.add(chip)
+      // The chip may have come with the focus.
+      if (chip.element.matches(':focus-within')) focus.on({ target: chip.element })
+    })
+    gone.forEach(sizes.remove)
+    withdraw(gone)
+  }
+
+  function withdraw(chips: Chip[]) {
+    chips.forEach(pointers.letGo)
+    if (chips.filter(pile.withdraw).length) queue.reschedule()
   }
 
   function listen() {
     listening?.abort()
     listening = new AbortController()
-    const on = hearing(listening)
-    on(still, 'change', sync)
-    on(page, 'visibilitychange', sync)
+    const on = listenUntil(listening)
+    on(still, 'change', update)
+    on(page, 'visibilitychange', update)
     on(root, 'transitionend', ({ target }) => {
-      reshape(target)
-      sync()
+      restyle(target)
+      update()
     })
-    on(root, 'focusin', focus)
+    focus.listen(on)
     pointers.letGo()
-    if (options.interactive) pointers.listen(on)
+    if (settings.interactive) pointers.listen(on)
   }
 
-  function focus({ target }: { target: EventTarget | null }) {
-    const chip = chipAt(target)
-    if (!chip) return
-    toFront(chip)
-    if (still.matches) return
-    // It goes on falling. Where it can't be seen yet the stage comes into view, and when it lies, if that was not enough, the chip
-    // itself. Not for a press, though a field shows its focus then as well. The focus that a dialog gives back scrolls nothing.
-    const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
-    if (unseen && chip.state !== 'resting') {
-      if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
-      followed = chip
-      // Whoever scrolls on meanwhile is not brought back.
-      for (const type of ['wheel', 'touchmove', 'keydown'])
-        hearing(listening!)(view, type, () => (followed = undefined), { ...FIRST, once: true })
-    }
-    if (chip.id < 0) {
-      started = true
-      catchUp()
-      queue.reschedule()
-    }
-    if (unseen) bringIn(chip)
-    sync()
-  }
-
-  function toFront(chip: Chip) {
-    chip.element.style.zIndex = `${++front}`
-  }
-
-  /** In a paused stage no time passes, so a chip that waits or is in the air above it is put where it can be seen. */
-  function bringIn(chip: Chip | undefined) {
-    if (!chip || !world || !pausing.current) return
-    if (chip.id < 0 ? !withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
-    if (chip.id < 0) release(chip)
-    world.place(chip.id, { y: chip.reach })
-    world.eachMoved(paint)
-  }
-
-  /** Sends a chip about `height` px up. */
-  function kick(chip: Chip, height: number) {
-    fetched = false
-    world!.place(chip.id, kickOf(kicks++, height, options.gravity, chip.angle))
+  /** Brings all in line with what is known. Every event ends here. */
+  function update() {
+    if (!listening) return
+    // Asked here, as Chromium fires no event for a change that was read before: in a tab that is shown again.
+    if (sizes.watch(!still.matches) && !still.matches)
+      // A chip that has the focus in the row does not wait for its release.
+      focus.on(focus.active())
+    lifecycle.update()
+    if (!lifecycle.isLive()) pointers.letGo()
   }
 
   return {
-    update(next) {
-      const before = options
-      options = { ...next } as typeof options
-      for (const name of ['interactive', 'upright', 'initial'] as const)
-        if (process.env.NODE_ENV !== 'production' && typeof next[name] !== 'boolean')
-          warn(
-            `${name} is ${written(next[name])}, which is neither true nor false, so it counts as ${!!next[name]}. Pass true or false.`,
-          )
-      if (typeof next.onSettle !== 'function') {
-        // `ready && save` is how people leave it out.
-        if (process.env.NODE_ENV !== 'production' && next.onSettle)
-          warn(
-            `onSettle is ${written(next.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
-          )
-        options.onSettle = undefined
-      }
-      let changed = false
-      for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[]) {
-        options[name] = sane(name, next[name])
-        if (options[name] !== before?.[name] && name !== 'stagger') changed = true
-      }
-      queue.stagger = options.stagger
-      if (listening && !options.interactive !== !before.interactive) listen()
-      const paced = options.stagger !== before?.stagger
-      if (!world || !(changed || paced)) return
-      if (changed) world.configure(options)
-      if (paced) queue.reschedule()
-      sync()
+    update,
+
+    /** Takes over new props at any time. */
+    setProps(props: StageProps) {
+      const before = { ...settings }
+      Object.assign(settings, checkedProps(props))
+      queue.stagger = settings.stagger
+      if (listening && settings.interactive !== before.interactive) listen()
+      if (!pile.world) return
+      const differs = (name: keyof Settings) => settings[name] !== before[name]
+      if (differs('gravity') || differs('bounce') || differs('friction')) pile.world.configure(settings)
+      if (differs('stagger')) queue.reschedule()
+      update()
     },
+
     drop() {
-      if (!world || !seenOnce || still.matches) return
+      if (!pile.world || !visibility.wasInView || still.matches) return
       pointers.letGo()
-      show()
       pausing.current = false
-      begin()
-      sync()
+      plan.show()
+      plan.begin(children.inOrder())
+      update()
     },
+
     shake() {
-      if (still.matches || making) return
-      bodies.forEach((chip) => {
-        kick(chip, SHAKE)
+      if (still.matches || plan.settling) return
+      pile.chips.forEach((chip) => {
+        pile.launch(chip, SHAKE)
       })
-      sync()
+      update()
     },
-    sync,
-    attach() {
-      watched.set(root, seen)
-      observers.near.observe(root)
-    },
+
+    /** To be called once the element is on the page, and again after `detach`. */
+    attach: visibility.observe,
+
+    /** Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only hides. */
     detach() {
-      inView = false
-      sync()
+      visibility.disconnect()
+      update()
       pointers.letGo()
-      observers.near.unobserve(root)
-      observers.view.unobserve(root)
-      watched.delete(root)
       listening?.abort()
       listening = undefined
-      clearTimeout(unseen)
-      clearTimeout(planned)
-      planned = undefined
-      planning = false
-      lookAhead.end()
-      sizes.disconnect()
-      moving = false
+      plan.end()
+      sizes.watch(false)
       changes.disconnect()
     },
   }
@@ -4299,7 +4552,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({
+    stage.current?.setProps({
       gravity,
       bounce,
       friction,
@@ -4315,7 +4568,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   React.useImperativeHandle(actionsRef, () => {
     const pause = (yes: boolean) => {
       pausing.current = yes
-      stage.current?.sync()
+      stage.current?.update()
     }
     return {
       drop: () => stage.current?.drop(),

@@ -138,7 +138,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   }, [])
 
   React.useEffect(() => {
-    stage.current?.update({
+    stage.current?.setProps({
       gravity,
       bounce,
       friction,
@@ -154,7 +154,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
   React.useImperativeHandle(actionsRef, () => {
     const pause = (yes: boolean) => {
       pausing.current = yes
-      stage.current?.sync()
+      stage.current?.update()
     }
     return {
       drop: () => stage.current?.drop(),

@@ -1,62 +1,61 @@
 import type { Release } from './release'
 
-// From here on there is a DOM. Layout is read in observers and by pointers that are down, written in the frame loop as transforms.
-// React renders the chips' wrappers and never touches their style or state again: those are the stage's.
+// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop writes transforms.
+// React renders the wrappers of the chips and never touches their style and state again: those belong to the stage.
 
 /** A child of the stage, in the element that the component wraps it in. */
 export interface Chip extends Release {
   element: HTMLElement
   state: 'waiting' | 'falling' | 'held' | 'resting'
-  /** rad by which it is drawn turned on its body, and whether that stays. */
+  /** rad by which the chip is drawn turned on its body. */
   turn: number
+  /** Whether `turn` is final. */
   turned: boolean
-  /** Pose as drawn, its turn included, and what draws it smaller in a hand. */
+  /** Pose in which the chip is drawn, `turn` included; x is not a number before the chip is first drawn. */
   x: number
   y: number
   angle: number
+  /** CSS transforms that draw a held chip smaller. */
   pinch: string
-  /** Whether styles have been told its angle since it was last drawn. */
-  told?: boolean
+  /** Whether the style of the chip holds `--chip-angle`. */
+  hasAngle?: boolean
 }
 
-/** Reads the corner radius that a chip is drawn with, and has `changes` watch what it comes from. */
-export function look(chip: Chip, changes: MutationObserver) {
-  // Its face is its first child that takes up room: words for screen readers and styles stand beside what is drawn. Mere words have none.
+/** Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from. */
+export function measureRadius(chip: Chip, changes: MutationObserver) {
+  const { element, width, height } = chip
+  // The face of a chip is its first child that takes up room: not words for screen readers, not style elements. Mere words
+  // have none and are drawn on the wrapper.
   let face: CSSStyleDeclaration | undefined
   let next: Element | null
-  for (
-    let child = chip.element.matches('[data-words]') ? null : chip.element.firstElementChild;
-    child;
-    child = next
-  ) {
+  for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
     const style = getComputedStyle(child)
-    // One without a box of its own is drawn as what is in it.
+    // An element without a box of its own is drawn as its children.
     next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
     if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
-    // The wrapper is not watched: its style changes with every frame, by the stage's own hand.
+    // The wrapper is not watched: the stage itself changes its style in every frame.
     changes.observe(child, { attributeFilter: ['class', 'style'] })
     face = style
     break
   }
-  if (!face) chip.element.style.borderRadius = ''
-  // The least of the four corners, so that nothing drawn reaches out of its body. A share means one of the shorter side.
-  // WebKit tells Tailwind's `rounded-full` as it was written: infinity * 1px.
-  const corners = (face ?? getComputedStyle(chip.element)).borderRadius
+  if (!face) element.style.borderRadius = ''
+  const short = Math.min(width, height)
+  // WebKit returns Tailwind's `rounded-full` as it was written: infinity * 1px.
+  const corners = (face ?? getComputedStyle(element)).borderRadius
     .replace(/(calc.)?infinity . /g, '9e9')
     .split(/[ /]+/)
-  const short = Math.min(chip.width, chip.height)
-  chip.radius = Math.min(
-    ...corners.map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)),
-    short / 2,
-  )
+    // A percentage is taken of the shorter side.
+    .map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1))
+  // The least of the four: nothing drawn may reach out of the body.
+  chip.radius = Math.min(...corners, short / 2)
 }
 
-/** Where nothing is drawn nothing is pressed either: a click beside a round chip is that of the chip below. */
-export function round({ element, radius }: Chip) {
+/** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
+export function applyCornerRadius({ element, radius }: Chip) {
   element.style.borderRadius = `${radius}px`
 }
 
-/** px, how far below its middle a chip reaches that is drawn at `angle`. */
+/** px, how far a chip that is drawn at `angle` reaches below its centre. */
 export function halfHeight({ width, height, radius }: Chip, angle: number) {
   const sin = Math.abs(Math.sin(angle))
   const cos = Math.abs(Math.cos(angle))
@@ -67,14 +66,26 @@ export function draw(chip: Chip) {
   const { element, x, y, angle } = chip
   const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
   element.style.transform = at + chip.pinch
-  // Chromium matches an element whose `style` holds a custom property against all rules each time that its `style` changes.
-  if (chip.told) element.style.removeProperty('--chip-angle')
-  chip.told = false
+  // While a style holds a custom property, Chromium matches its element against all rules each time the style changes.
+  if (chip.hasAngle) element.style.removeProperty('--chip-angle')
+  chip.hasAngle = false
 }
 
-/** Gives styles the angle at which a chip lies: with it they can draw a shadow that falls down the screen. */
-export function tellAngle(chip: Chip) {
+/** Tells styles the angle of a chip at rest, so that they can draw a shadow that falls down the screen. */
+export function exposeAngle(chip: Chip) {
   const turns = chip.angle / (2 * Math.PI)
   chip.element.style.setProperty('--chip-angle', `${Math.round(360 * (turns - Math.round(turns)))}deg`)
-  chip.told = true
+  chip.hasAngle = true
+}
+
+export function setState(chip: Chip, next: Chip['state']) {
+  if (chip.state === next) return
+  const { element } = chip
+  chip.state = next
+  element.setAttribute('data-state', next)
+  if (next === 'waiting') {
+    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless it has the focus.
+    element.style.transform = ''
+    if (!element.matches(':focus-within')) element.style.zIndex = ''
+  }
 }

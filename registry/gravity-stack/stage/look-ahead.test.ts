@@ -4,8 +4,7 @@ import { frame } from '../../../scenes/scene'
 import { run, stage, worldOf } from '../testing/worlds'
 import { createWorld } from '../world'
 import { createLookAhead, uprightTurn } from './look-ahead'
-import { type Release, reach, releaseTime } from './release'
-import { addReleased } from './release-queue'
+import { addReleased, type Release, reach, releaseTime } from './release'
 
 describe('a world that follows another', () => {
   for (const kind of ['pills', 'badges', 'mixed'] as Kind[])

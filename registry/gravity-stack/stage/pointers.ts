@@ -1,10 +1,18 @@
 import type { Grab } from '../solver/world'
-import type { Chip } from './chip'
+import type { Children } from './children'
+import { type Chip, draw, setState } from './chip'
+import type { Context } from './context'
+import type { Focus } from './focus'
+import type { Lifecycle } from './lifecycle'
+import { CAPTURE, type Listen, listenUntil } from './listeners'
+import type { StagePile } from './pile'
 
 /** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
 
+/** px, how high a tapped chip hops. */
+const HOP = 36
 /** Size of a held chip, as if pressed between two fingers. */
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
@@ -42,19 +50,10 @@ interface Press {
   grab?: Grab
 }
 
-/** Before any handler on the way that keeps events to itself. */
-export const FIRST = { capture: true }
-
 /** Nothing comes of it, and nobody on the way hears of it. */
 function stop(event: Event) {
   event.preventDefault()
   event.stopPropagation()
-}
-
-/** Adds listeners that end with `controller`. */
-export function hearing({ signal }: AbortController) {
-  return (target: EventTarget, type: string, handler: (event: never) => void, more?: object) =>
-    target.addEventListener(type, handler as EventListener, { signal, ...more })
 }
 
 /** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
@@ -94,20 +93,14 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** What the stage does for its pointers. */
-export interface Hands {
-  /** The chip in an element, while the stage takes part in things. */
-  find(element: Element | null): Chip | undefined
-  /** Takes hold of a chip at a point, px from its centre. */
-  take(chip: Chip, offX: number, offY: number): Grab
-  /** Shows that it is held, or no more. */
-  show(chip: Chip, state: Chip['state']): void
-  tap(chip: Chip): void
-}
-
 /** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
-export function createPointers(root: HTMLElement, { find, take, show, tap }: Hands) {
-  const view = root.ownerDocument.defaultView!
+export function createPointers(
+  { root, view, update }: Context,
+  { chips }: Children,
+  pile: StagePile,
+  focus: Focus,
+  { isLive }: Lifecycle,
+) {
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
   let swallowClick = false
@@ -117,14 +110,14 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
   /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
   function listenToPointers() {
     pressing = new AbortController()
-    const on = hearing(pressing)
+    const on = listenUntil(pressing)
     // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
-    on(view, 'dragstart', stop, FIRST)
-    on(view, 'pointermove', move, FIRST)
-    on(view, 'scroll', follow, FIRST)
-    on(view, 'pointerup', up, FIRST)
-    on(view, 'pointercancel', up, FIRST)
-    on(view, 'lostpointercapture', up, FIRST)
+    on(view, 'dragstart', stop, CAPTURE)
+    on(view, 'pointermove', move, CAPTURE)
+    on(view, 'scroll', follow, CAPTURE)
+    on(view, 'pointerup', up, CAPTURE)
+    on(view, 'pointercancel', up, CAPTURE)
+    on(view, 'lostpointercapture', up, CAPTURE)
   }
 
   const holds = () => root.querySelector('[data-state=held]')
@@ -141,8 +134,8 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
 
   /** The chip that an event is about. Of a stage in a chip the inner one is meant. */
   function touched(event: Event) {
-    const chip = find((event.target as Element).closest('[data-slot=gravity-stack-chip]'))
-    return chip && !isInside(chip, event, ELSEWHERE) ? chip : undefined
+    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+    return chip && chip.id >= 0 && isLive() && !isInside(chip, event, ELSEWHERE) ? chip : undefined
   }
 
   function down(event: PointerEvent) {
@@ -168,7 +161,7 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // From what is taken off the page meanwhile the root would hear no more.
-      hearing(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
+      listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
   }
 
@@ -202,7 +195,8 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
     // Another hand may have it, or may have taken it while a finger waited.
     if (chip.state === 'held') return letGo(press)
     clearTimeout(press.timer)
-    press.grab = take(chip, press.offX, press.offY)
+    focus.toFront(chip)
+    press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
     // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
     const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
@@ -239,6 +233,12 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
     letGo(press)
   }
 
+  function show(chip: Chip, state: Chip['state']) {
+    setState(chip, state)
+    draw(chip)
+    update()
+  }
+
   function letGo(press: Press) {
     presses.delete(press.down.pointerId)
     if (!presses.size) pressing!.abort()
@@ -264,19 +264,20 @@ export function createPointers(root: HTMLElement, { find, take, show, tap }: Han
     swallow(event)
     const chip = touched(event)
     if (event.defaultPrevented || !chip || isInside(chip, event, CONTROL)) return
-    tap(chip)
+    pile.launch(chip, HOP)
+    update()
   }
 
   return {
     /** Hears presses and clicks from now on, and touches. */
-    listen(on: ReturnType<typeof hearing>) {
+    listen(on: Listen) {
       // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (swallowClick = false), FIRST)
+      on(view, 'pointerdown', () => (swallowClick = false), CAPTURE)
       on(root, 'pointerdown', down)
-      on(view, 'click', swallow, FIRST)
-      on(root, 'click', click, FIRST)
+      on(view, 'click', swallow, CAPTURE)
+      on(root, 'click', click, CAPTURE)
       // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
-      on(view, 'touchstart', pinch, FIRST)
+      on(view, 'touchstart', pinch, CAPTURE)
       on(root, 'touchmove', scroll, { passive: false })
     },
     /** An element that React moves to another place loses the pointer. */

@@ -1,41 +1,18 @@
-import type { World } from '../solver/world'
+import { STEP } from '../solver/constants'
 import type { Chip } from './chip'
-import { type Obstacle, type Release, releasePose, releaseTime } from './release'
+import { releaseTime } from './release'
 
-/** A world, and what was released into it, by the ids of the bodies. */
-export interface Pile<T extends Release = Release> {
-  world: World
-  chips: T[]
-}
-
-/** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
-export function addReleased<T extends Release>(
-  { world, chips }: Pile<T>,
-  next: T,
-  stageWidth: number,
-  gravity: number,
-): number {
-  const obstacles: Obstacle[] = []
-  chips.forEach(({ reach }, id) => {
-    const { x, y } = world.read(id)
-    if (y < reach) obstacles.push({ x, y, reach })
-  })
-  const { order, width, height, radius } = next
-  const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
-  const id = world.add({ width, height, radius, ...pose })
-  chips[id] = next
-  return id
-}
-
-/** The chips whose release is to come, and the stage's clock, which their releases go by. */
+/** The chips that wait for their release, and the stage's clock, which the releases go by. */
 export function createReleaseQueue() {
   let count = 0
-  /** s, the least time of the next release to be planned. */
+  /** s, the earliest time of the next release to be planned. */
   let slot = 0
+  /** ms, when `clock` was last right, while nothing moves and no frame counts the time. */
+  let idleSince: number | undefined
 
   function schedule(chip: Chip) {
     const { chips, clock, stagger } = queue
-    // Nobody can use what still waits unseen.
+    // Nobody can use a chip with the focus while it waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
     slot = Math.max(slot, clock) + stagger / 1000
     let place = chips.length
@@ -45,27 +22,28 @@ export function createReleaseQueue() {
   }
 
   const queue = {
-    /** Those that wait, the next one first. */
+    /** The chips that wait, the next one first. */
     chips: [] as Chip[],
-    /** s simulated since the drop began. */
+    /** s simulated since the drop began; below 0 before its first release. */
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,
     /** ms between two releases. */
     stagger: 0,
-    /** How often something waiting came, went, changed or got another time. */
+    /** Another number each time that a chip came, went, changed or got another time. */
     revision: 0,
 
-    /** Begins a drop, with the clock at `clock` and nothing waiting. */
+    /** Begins a drop with no chips, and with the clock at `clock`. */
     restart(clock: number) {
       count = slot = 0
       queue.clock = clock
       queue.chips = []
       queue.latest = -Infinity
       queue.revision++
+      idleSince = undefined
     },
 
-    /** Lets a chip wait for its turn behind all that were added before. */
+    /** Lets a chip wait for its release, after all that were added before. */
     add(chip: Chip) {
       chip.order = count++
       schedule(chip)
@@ -80,14 +58,40 @@ export function createReleaseQueue() {
       return true
     },
 
-    /** Times the releases to come anew. */
+    /** Times the coming releases anew. */
     reschedule() {
       const waiting = queue.chips
       queue.chips = []
-      // From the last release on, not from now: a stagger that changes again and again would put the next one off for ever.
+      // Counted from the last release: counted from now, a stagger that changes again and again would put the next one off for ever.
       slot = Math.max(0, queue.latest + queue.stagger / 1000)
       waiting.forEach(schedule)
+    },
+
+    /** Says whether nothing moves, so that the clock goes by the time of day. */
+    setIdle(idle: boolean) {
+      idleSince = idle ? (idleSince ?? performance.now()) : undefined
+    },
+
+    /**
+     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a release falls
+     * on the same place within its step as without a pause.
+     */
+    catchUp() {
+      if (idleSince === undefined) return
+      const now = performance.now()
+      const untilNext = (queue.chips[0]?.due ?? Infinity) - queue.clock
+      const steps = STEP * Math.max(0, Math.floor(Math.min((now - idleSince) / 1000, untilNext) / STEP))
+      queue.clock += steps
+      idleSince = Math.max(idleSince + 1000 * steps, now - 1000 * STEP)
+    },
+
+    /** Skips what is left of the time before the first release. */
+    skipHeadStart() {
+      queue.clock = 0
+      if (idleSince !== undefined) idleSince = performance.now()
     },
   }
   return queue
 }
+
+export type ReleaseQueue = ReturnType<typeof createReleaseQueue>

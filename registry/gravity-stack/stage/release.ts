@@ -1,4 +1,5 @@
 import { STEP } from '../solver/constants'
+import type { World } from '../solver/world'
 
 // Where and when each chip starts: the same for the same stage and chips, in every browser.
 // So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
@@ -91,4 +92,29 @@ export function releasePose(
     vy: gravity < FAINT_GRAVITY ? FAINT_SPEED : 0,
     spin: TWIST * either(5),
   }
+}
+
+/** A world, and what was released into it by the ids of the bodies. */
+export interface Pile<T extends Release = Release> {
+  world: World
+  chips: T[]
+}
+
+/** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
+export function addReleased<T extends Release>(
+  { world, chips }: Pile<T>,
+  next: T,
+  stageWidth: number,
+  gravity: number,
+): number {
+  const obstacles: Obstacle[] = []
+  chips.forEach(({ reach }, id) => {
+    const { x, y } = world.read(id)
+    if (y < reach) obstacles.push({ x, y, reach })
+  })
+  const { order, width, height, radius } = next
+  const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
+  const id = world.add({ width, height, radius, ...pose })
+  chips[id] = next
+  return id
 }

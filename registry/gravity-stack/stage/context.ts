@@ -1,0 +1,20 @@
+import type { Settings } from './props'
+
+export type View = typeof globalThis & Window
+
+/** What the parts of a stage share. */
+export interface Context {
+  root: HTMLElement
+  /** The stage's own window: in one that the page has opened, observers of the page would not see the stage. */
+  view: View
+  /** Matches while the chips stand in a row. */
+  still: MediaQueryList
+  /** Whether the caller has paused the stage. */
+  pausing: { current: boolean }
+  settings: Settings
+  /** px, size of the stage; zero while it has none. Written by `sizes`. */
+  width: number
+  height: number
+  /** Brings the state in line with all that is known. Every event ends in it. */
+  update(): void
+}

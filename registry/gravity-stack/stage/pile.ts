@@ -1,0 +1,187 @@
+import { createWorld, type World } from '../solver/world'
+import { applyCornerRadius, type Chip, draw, halfHeight, measureRadius, setState } from './chip'
+import type { Context } from './context'
+import { LONGEST_FRAME } from './frame-loop'
+import { launchMotion } from './launch'
+import { type LookAhead, uprightTurn } from './look-ahead'
+import { addReleased, reach } from './release'
+import type { ReleaseQueue } from './release-queue'
+
+/** px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+const VISIBLE = 0.0121
+
+/** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
+export function createPile(
+  context: Context,
+  queue: ReleaseQueue,
+  lookAhead: LookAhead<Chip>,
+  changes: MutationObserver,
+) {
+  const { settings } = context
+  let launches = 0
+  /** Whether chips that had left by the top have come back since somebody last did something. */
+  let recovered = false
+
+  function reset(chip: Chip) {
+    chip.id = -1
+    chip.turn = 0
+    chip.turned = false
+    setState(chip, 'waiting')
+  }
+
+  function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
+    const chip = pile.chips[id]!
+    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    const angle = bodyAngle + chip.turn
+    const dx = x - chip.x
+    const dy = y - chip.y
+    const swung = (angle - chip.angle) * chip.reach
+    // All radii of this frame have been read by now: a read after a write would compute the styles twice.
+    if (Number.isNaN(chip.x)) applyCornerRadius(chip)
+    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it lies, even
+    // if its last movement was too small to see.
+    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
+      chip.x = x
+      chip.y = y
+      chip.angle = angle
+      draw(chip)
+    }
+    if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+  }
+
+  /** Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage, out of sight. */
+  function turnUnseen(chip: Chip, y: number, angle: number) {
+    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
+    if (y + chip.reach + fall < 0) return
+    chip.turned = true
+    // Before a chip is first drawn it is out of sight as well.
+    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
+  }
+
+  const pile = {
+    world: undefined as World | undefined,
+    /** The chips in the world, by the ids of their bodies. */
+    chips: [] as Chip[],
+
+    /** Begins a drop of these chips, with the clock of the queue at `clock`. */
+    begin(chips: Chip[], clock: number) {
+      pile.world = createWorld({ ...settings, width: context.width, height: context.height })
+      pile.chips = []
+      queue.restart(clock)
+      for (const chip of chips) {
+        reset(chip)
+        if (chip.width) queue.add(chip)
+      }
+    },
+
+    /** Lets the time pass until `end`, s on the clock of the queue, with the releases on the way. */
+    advance(end: number) {
+      const world = pile.world!
+      while (queue.chips[0] && queue.chips[0].due <= end) {
+        const chip = queue.chips.shift()!
+        world.step(chip.due - queue.clock)
+        queue.clock = chip.due
+        pile.release(chip)
+      }
+      world.step(end - queue.clock)
+      queue.clock = end
+    },
+
+    release(chip: Chip) {
+      const { radius } = chip
+      measureRadius(chip, changes)
+      // The look-ahead has released it with another radius.
+      if (radius !== chip.radius) queue.revision++
+      queue.latest = queue.clock
+      chip.id = addReleased({ world: pile.world!, chips: pile.chips }, chip, context.width, settings.gravity)
+      chip.x = Number.NaN
+    },
+
+    /** Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to move up. */
+    withdraw(chip: Chip) {
+      const waited = queue.remove(chip)
+      pile.world?.remove(chip.id)
+      delete pile.chips[chip.id]
+      reset(chip)
+      return waited
+    },
+
+    /** Takes over the size (px) that a chip has now, and the corner radius with it. */
+    setSize(chip: Chip, width: number, height: number) {
+      const sameSize = chip.width === width && chip.height === height
+      if (!chip.width) queue.add(chip)
+      chip.width = width
+      chip.height = height
+      chip.reach = reach(width, height)
+      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in one frame.
+      if (chip.id < 0) {
+        chip.radius = Number.NaN
+        queue.revision++
+        return
+      }
+      const { radius } = chip
+      measureRadius(chip, changes)
+      if (sameSize && chip.radius === radius) return
+      const world = pile.world!
+      // A body of another shape looks different after a turn: it is turned to where its chip is drawn.
+      if (chip.turn) world.place(chip.id, { angle: world.read(chip.id).angle + chip.turn })
+      chip.turn = 0
+      world.reshape(chip.id, chip)
+      draw(chip)
+      applyCornerRadius(chip)
+    },
+
+    draw: () => pile.world!.eachMoved(drawMoved),
+
+    /** Turns all chips to what is upright where they lie, which nobody has seen yet. */
+    turnAll() {
+      pile.chips.forEach((chip) => {
+        chip.turned = true
+        if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
+      })
+    },
+
+    /** Takes hold of a chip at a point, px from its centre. */
+    grab(chip: Chip, offX: number, offY: number) {
+      pile.touch()
+      const { x, y } = pile.world!.read(chip.id)
+      return pile.world!.grab(chip.id, x + offX, y + offY)
+    },
+
+    /** Sends a chip about `height` px up. */
+    launch(chip: Chip, height: number) {
+      pile.touch()
+      pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
+    },
+
+    /** Releases the chips anew that have left a stage without gravity by the top, where they would float for good. */
+    recover() {
+      // Only once until somebody does something: a full stage would push them out again and again.
+      if (settings.gravity || recovered) return
+      recovered = true
+      pile.chips.forEach((chip) => {
+        if (chip.y < -chip.reach) {
+          pile.withdraw(chip)
+          queue.add(chip)
+        }
+      })
+    },
+
+    /** Puts a chip that waits, or is above the stage, where it can be seen, without any time. */
+    bringIn(chip: Chip) {
+      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+      if (chip.id < 0) pile.release(chip)
+      pile.world!.place(chip.id, { y: chip.reach })
+      pile.draw()
+    },
+
+    /** Somebody does something, after which chips may be released anew once more. */
+    touch() {
+      recovered = false
+    },
+  }
+  return pile
+}
+
+export type StagePile = ReturnType<typeof createPile>
