@@ -53,7 +53,9 @@ const headings = {
   'stage/focus': 'the chip that has the focus',
   'stage/state': 'static, waiting, running, paused or resting',
   'stage/lifecycle': 'what passes the time in each state',
-  'stage/pointers': 'presses, drags and taps',
+  'stage/targets': 'what a press or a click is about',
+  'stage/clicks': 'taps, and the clicks that end drags',
+  'stage/pointers': 'presses and drags',
   'stage/stage': 'the parts, wired together',
   'gravity-stack': 'the React component',
 }

@@ -2704,60 +2704,80 @@ function size(value: number): number {
 
 // stage/release: where and when each chip starts ────────────────────────────────────────────────────────────
 
-// Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
-// no rounding of frame times can move it to another one.
+// Each chip starts at the same place and time for the same stage and chips, in every browser. So this module
+// uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
+// times moves it to another step.
 
-/** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
+/**
+ * Share of the width between one release and the next, 1/φ. Any number of releases in a row covers the stage
+ * evenly.
+ */
 const GOLDEN_SHARE = 0.6180339887498949
-/** Most that a release strays from its place, as a share of the width. */
+/** The farthest that a release strays from its place, as a share of the width. */
 const STRAY = 0.05
-/** s, most that a release comes late. */
+/** s, the longest time that a release comes late. */
 const LATE = 0.12
-/** px between the top edge of the stage and the lower edge of a chip: least, and what scatter adds. */
+/**
+ * px between the top edge of the stage and the lower edge of a chip: the least, and the most that is added to
+ * it.
+ */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
-/** rad either way. The release box below takes its sine as 1/4. */
+/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
 const TILT = 0.25
-/** px/s either way. */
+/** px/s, the largest speed to either side. */
 const DRIFT = 40
-/** rad/s either way. */
+/** rad/s, the largest spin either way. */
 const TWIST = 1.2
-/** px/s² below which gravity alone would not bring a chip into view, and px/s that it starts with instead. */
+/**
+ * px/s² below which gravity alone would not bring a chip into view, and px/s that the chip starts with
+ * instead.
+ */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
-/** A number in [0, 1) for two integers: squares times an irrational number leave fractions without a pattern. */
+/**
+ * A number in [0, 1) for two integers: squares times an irrational number leave fractions without a pattern.
+ */
 function scatter(index: number, channel: number): number {
   const n = index * 8 + channel + 1
   return (n * n * GOLDEN_SHARE) % 1
 }
 
-/** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
+/**
+ * s, time of the release with this index. `slot` is the earliest time, s; both count from the start of the
+ * drop.
+ */
 function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
 }
 
-/** Distance of the farthest point of a box from its centre, px. By √, which is the same in every engine. */
+/**
+ * px, distance of the corner of a box from its centre. √ gives the same bits in every engine, `Math.hypot`
+ * does not.
+ */
 function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
-/** What is released, and how. */
+/** A body that is released into a world, and when. */
 interface Release {
-  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
+  /**
+   * px: border box, corner radius, half the diagonal. The width is 0 before it is measured, and without a
+   * size.
+   */
   width: number
   height: number
   radius: number
   reach: number
-  /** Number of its release, and its time on the stage's clock, s. */
+  /** Number of the release, and its time on the stage's clock, s. */
   order: number
   due: number
-  /** In the world, or -1. */
+  /** Of the body in the world, or -1. */
   id: number
 }
 
-/** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
+/** Something in the way of a release: its centre, and the distance of its farthest point from that, px. */
 interface Obstacle {
   x: number
   y: number
@@ -2773,7 +2793,7 @@ function releasePose(
   gravity: number,
   obstacles: Obstacle[],
 ) {
-  // A chip too long to turn between the walls falls level: it would jam between them, out of sight.
+  // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
   const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
@@ -2781,7 +2801,8 @@ function releasePose(
   const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
   const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
   let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
-  // From the lowest top to the highest: whatever has been cleared once stays clear.
+  // In the order of their tops, the lowest first: the release only moves up, so it stays clear of those it
+  // has passed.
   obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
   for (const other of obstacles) {
     if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
@@ -2803,7 +2824,7 @@ interface Pile<T extends Release = Release> {
   chips: T[]
 }
 
-/** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
+/** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
 function addReleased<T extends Release>(
   { world, chips }: Pile<T>,
   next: T,
@@ -2826,12 +2847,15 @@ function addReleased<T extends Release>(
 
 /** px/s², the least gravity that launches are computed for. */
 const LEAST_GRAVITY = 100
-/** Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land on their heads. */
+/**
+ * Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land
+ * on their heads.
+ */
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s) brings a chip
- * that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s)
+ * brings a chip that is drawn at `angle` upright by the time it comes down.
  */
 function launchMotion(number: number, height: number, gravity: number, angle: number) {
   const either = (channel: number) => 2 * scatter(number, channel) - 1
@@ -2852,8 +2876,9 @@ function launchMotion(number: number, height: number, gravity: number, angle: nu
 
 // stage/chip: how a chip looks, and how it is drawn ─────────────────────────────────────────────────────────
 
-// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop writes transforms.
-// React renders the wrappers of the chips and never touches their style and state again: those belong to the stage.
+// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop
+// writes transforms. React renders the wrappers of the chips and never touches their style and state again:
+// those belong to the stage.
 
 /** A child of the stage, in the element that the component wraps it in. */
 interface Chip extends Release {
@@ -2873,35 +2898,37 @@ interface Chip extends Release {
   hasAngle?: boolean
 }
 
-/** The element that a chip is drawn as; none for mere words, which are drawn on the wrapper. */
-function faceOf({ element }: Chip) {
-  let next: Element | null
-  for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
-    const { display, position } = getComputedStyle(child)
-    // An element without a box of its own is drawn as its children.
-    next = display === 'contents' ? child.firstElementChild : child.nextElementSibling
-    // Words for screen readers and style elements take up no room beside the face.
-    if (!/none|contents|absolute|fixed/.test(display + position)) return child
-  }
-  return undefined
-}
-
-/** Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from. */
+/**
+ * Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from.
+ */
 function measureRadius(chip: Chip, changes: MutationObserver) {
   const { element, width, height } = chip
-  const face = faceOf(chip)
-  // The wrapper is not watched: the stage itself changes its style in every frame.
-  if (face) changes.observe(face, { attributeFilter: ['class', 'style'] })
-  else element.style.borderRadius = ''
+  // The face of a chip is its first child that takes up room: not words for screen readers, not style
+  // elements. Mere words have none and are drawn on the wrapper.
+  let face: CSSStyleDeclaration | undefined
+  let next: Element | null
+  for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
+    const style = getComputedStyle(child)
+    // An element without a box of its own is drawn as its children.
+    next = style.display === 'contents' ? child.firstElementChild : child.nextElementSibling
+    if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
+    // The wrapper is not watched: the stage itself changes its style in every frame.
+    changes.observe(child, { attributeFilter: ['class', 'style'] })
+    face = style
+    break
+  }
+  if (!face) element.style.borderRadius = ''
+  chip.radius = cornerRadius(face ?? getComputedStyle(element), width, height)
+}
+
+/** px, the least of the four corner radii of a style, as nothing drawn may reach out of the body. */
+function cornerRadius({ borderRadius }: CSSStyleDeclaration, width: number, height: number) {
   const short = Math.min(width, height)
   // WebKit returns Tailwind's `rounded-full` as it was written: infinity * 1px.
-  const corners = getComputedStyle(face ?? element)
-    .borderRadius.replace(/(calc.)?infinity . /g, '9e9')
-    .split(/[ /]+/)
-    // A percentage is taken of the shorter side.
-    .map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1))
-  // The least of the four: nothing drawn may reach out of the body.
-  chip.radius = Math.min(...corners, short / 2)
+  const corners = borderRadius.replace(/(calc.)?infinity . /g, '9e9').split(/[ /]+/)
+  // A percentage is taken of the shorter side.
+  const toPx = (corner: string) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)
+  return Math.min(...corners.map(toPx), short / 2)
 }
 
 /** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
@@ -2920,7 +2947,8 @@ function draw(chip: Chip) {
   const { element, x, y, angle } = chip
   const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
   element.style.transform = at + chip.pinch
-  // While a style holds a custom property, Chromium matches its element against all rules each time the style changes.
+  // While a style holds a custom property, Chromium matches its element against all rules each time the style
+  // changes.
   if (chip.hasAngle) element.style.removeProperty('--chip-angle')
   chip.hasAngle = false
 }
@@ -2938,7 +2966,8 @@ function setState(chip: Chip, next: Chip['state']) {
   chip.state = next
   element.setAttribute('data-state', next)
   if (next === 'waiting') {
-    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless it has the focus.
+    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless
+    // it has the focus.
     element.style.transform = ''
     if (!element.matches(':focus-within')) element.style.zIndex = ''
   }
@@ -2962,9 +2991,13 @@ function createChildren(root: HTMLElement) {
     /** The chips in the order of the child elements. */
     inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
 
-    /** Brings the chips in line with the child elements: calls `add` with each new one, returns those that are gone. */
+    /**
+     * Brings the chips in line with the child elements: calls `add` with each new one, returns those that are
+     * gone.
+     */
     collect(add: (chip: Chip) => void) {
-      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would never load.
+      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would
+      // never load.
       for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
         lazy.setAttribute('loading', 'eager')
       for (const element of Array.from(root.children) as HTMLElement[]) {
@@ -3052,7 +3085,8 @@ function createReleaseQueue() {
     reschedule() {
       const waiting = queue.chips
       queue.chips = []
-      // Counted from the last release: counted from now, a stagger that changes again and again would put the next one off for ever.
+      // Counted from the last release: counted from now, a stagger that changes again and again would put the
+      // next one off for ever.
       slot = Math.max(0, queue.latest + queue.stagger / 1000)
       waiting.forEach(schedule)
     },
@@ -3063,8 +3097,8 @@ function createReleaseQueue() {
     },
 
     /**
-     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a release falls
-     * on the same place within its step as without a pause.
+     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a
+     * release falls on the same place within its step as without a pause.
      */
     catchUp() {
       if (idleSince === undefined) return
@@ -3088,10 +3122,14 @@ type ReleaseQueue = ReturnType<typeof createReleaseQueue>
 
 // stage/look-ahead: how each chip will lie, before anyone sees it ───────────────────────────────────────────
 
-// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie. Equal steps
-// give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its body looks the same after half a turn.
+// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will
+// lie. Equal steps give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its
+// body looks the same after half a turn.
 
-/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs roll for longer. */
+/**
+ * s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs
+ * roll for longer.
+ */
 const FORESIGHT = 6
 /** ms, how long one slice of the work takes. */
 const SLICE = 4
@@ -3123,8 +3161,9 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
 
   return {
     /**
-     * Lets the copy go on for a slice. It starts again from the shown pile when something but time has changed that, or when
-     * the copy has fallen behind. Returns whether the copy is as far ahead as it is to go.
+     * Lets the copy go on for a slice. It starts again from the shown pile when something but time has
+     * changed that, or when the copy has fallen behind. Returns whether the copy is as far ahead as it is to
+     * go.
      */
     advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
       const end = performance.now() + SLICE
@@ -3256,7 +3295,9 @@ type View = typeof globalThis & Window
 /** What the parts of a stage share. */
 interface Context {
   root: HTMLElement
-  /** The stage's own window: in one that the page has opened, observers of the page would not see the stage. */
+  /**
+   * The stage's own window: in one that the page has opened, observers of the page would not see the stage.
+   */
   view: View
   /** Matches while the chips stand in a row. */
   still: MediaQueryList
@@ -3272,7 +3313,10 @@ interface Context {
 
 // stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
 
-/** Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at once. */
+/**
+ * Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at
+ * once.
+ */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
 /** ms until a stage that a transform has scaled to nothing is checked again. */
@@ -3283,10 +3327,14 @@ function above(node: Element): Element | null | undefined {
   return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
-/** px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls in. */
+/**
+ * px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls
+ * in.
+ */
 function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
   const { body, defaultView } = root.ownerDocument
-  // A frame of another site has no root bounds. To a frame of the same site they are those of the page around it.
+  // A frame of another site has no root bounds. To a frame of the same site they are those of the page around
+  // it.
   let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
   let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
   for (let node = above(root); node; node = above(node)) {
@@ -3298,7 +3346,9 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   return Math.min(wide, whole.width) * Math.min(high, whole.height)
 }
 
-/** Knows whether a stage is in view; calls `approach` when the stage first comes within a screen of the view. */
+/**
+ * Knows whether a stage is in view; calls `approach` when the stage first comes within a screen of the view.
+ */
 function createVisibility({ root, view, update }: Context, approach: () => void) {
   let timer: ReturnType<typeof setTimeout> | undefined
   const nearby = new view.IntersectionObserver(
@@ -3326,7 +3376,8 @@ function createVisibility({ root, view, update }: Context, approach: () => void)
     if (isIntersecting && !(whole.width * whole.height)) {
       const { clientWidth, clientHeight } = root
       if (clientWidth * clientHeight)
-        // A stage that a transform has scaled to nothing is as much in view as later, so no entry would tell when it grows.
+        // A stage that a transform has scaled to nothing is as much in view as later, so no entry would tell
+        // when it grows.
         timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
       else if (process.env.NODE_ENV !== 'production')
         warn(
@@ -3391,8 +3442,9 @@ function createFrameLoop(view: View, tick: (seconds: number) => void) {
   }
 
   /**
-   * Calls itself in the window's own frames, and `render` where Motion's loop stands still. An error in anybody's
-   * callback ends Motion's loop for good. A window that the page has opened goes on while the page is hidden.
+   * Calls itself in the window's own frames, and `render` where Motion's loop stands still. An error in
+   * anybody's callback ends Motion's loop for good. A window that the page has opened goes on while the page
+   * is hidden.
    */
   function watch() {
     request = view.requestAnimationFrame(watch)
@@ -3427,7 +3479,9 @@ function createFrameLoop(view: View, tick: (seconds: number) => void) {
 
 // stage/pile: the chips in their world ──────────────────────────────────────────────────────────────────────
 
-/** px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+/**
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding.
+ */
 const VISIBLE = 0.0121
 
 /** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
@@ -3458,8 +3512,8 @@ function createPile(
     const swung = (angle - chip.angle) * chip.reach
     // All radii of this frame have been read by now: a read after a write would compute the styles twice.
     if (Number.isNaN(chip.x)) applyCornerRadius(chip)
-    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it lies, even
-    // if its last movement was too small to see.
+    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where
+    // it lies, even if its last movement was too small to see.
     if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
       chip.x = x
       chip.y = y
@@ -3469,7 +3523,10 @@ function createPile(
     if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
   }
 
-  /** Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage, out of sight. */
+  /**
+   * Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage,
+   * out of sight.
+   */
   function turnUnseen(chip: Chip, y: number, angle: number) {
     const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
     if (y + chip.reach + fall < 0) return
@@ -3518,7 +3575,10 @@ function createPile(
       chip.x = Number.NaN
     },
 
-    /** Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to move up. */
+    /**
+     * Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to
+     * move up.
+     */
     withdraw(chip: Chip) {
       const waited = queue.remove(chip)
       pile.world?.remove(chip.id)
@@ -3534,7 +3594,8 @@ function createPile(
       chip.width = width
       chip.height = height
       chip.reach = reach(width, height)
-      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in one frame.
+      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in
+      // one frame.
       if (chip.id < 0) {
         chip.radius = Number.NaN
         queue.revision++
@@ -3575,7 +3636,10 @@ function createPile(
       pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
     },
 
-    /** Releases the chips anew that have left a stage without gravity by the top, where they would float for good. */
+    /**
+     * Releases the chips anew that have left a stage without gravity by the top, where they would float for
+     * good.
+     */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
       if (settings.gravity || recovered) return
@@ -3613,7 +3677,10 @@ const LONGEST_SETTLING = 20
 /** s that the first release waits at most until it is known how its chips will lie. */
 const HEAD_START = 0.25
 
-/** Begins drops, and computes between frames, slice by slice, how chips will lie, or the pile that lies there from the start. */
+/**
+ * Begins drops, and computes between frames, slice by slice, how chips will lie, or the pile that lies there
+ * from the start.
+ */
 function createPlan(
   context: Context,
   queue: ReleaseQueue,
@@ -3788,9 +3855,18 @@ function listenUntil({ signal }: AbortController): Listen {
     target.addEventListener(type, handler as EventListener, { signal, ...options })
 }
 
+/** Keeps the browser, and handlers further on the way, from doing anything with an event. */
+function stop(event: Event) {
+  event.preventDefault()
+  event.stopPropagation()
+}
+
 // stage/focus: the chip that has the focus ──────────────────────────────────────────────────────────────────
 
-/** Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its release. */
+/**
+ * Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its
+ * release.
+ */
 function createFocus(
   { root, view, still, pausing, update }: Context,
   { chipAt }: Children,
@@ -3817,9 +3893,9 @@ function createFocus(
       if (!chip) return
       focus.toFront(chip)
       if (still.matches) return
-      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies, it comes itself if
-      // that was not enough. A press scrolls nothing, though a field shows its focus then as well; nor does the focus that a
-      // dialog gives back.
+      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies,
+      // it comes itself if that was not enough. A press scrolls nothing, though a field shows its focus then
+      // as well; nor does the focus that a dialog gives back.
       const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
       if (unseen && chip.state !== 'resting') {
         if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
@@ -3833,7 +3909,10 @@ function createFocus(
       update()
     },
 
-    /** Does what is to do for the element that has the focus already, in the page or in the stage's shadow tree. */
+    /**
+     * Does what is to do for the element that has the focus already, in the page or in the stage's shadow
+     * tree.
+     */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
     /** In a paused stage, where no time passes, puts a chip where it can be seen. */
@@ -3916,7 +3995,8 @@ function createLifecycle(
     state = next
     pile.touch()
     root.setAttribute('data-state', next)
-    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it changes.
+    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it
+    // changes.
     root.toggleAttribute('data-halted', next === 'static' || next === 'paused')
     if (next === 'resting') {
       pile.chips.forEach(exposeAngle)
@@ -3926,7 +4006,10 @@ function createLifecycle(
     if (settled && settings.onSettle) queueMicrotask(settings.onSettle)
   }
 
-  /** Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower. */
+  /**
+   * Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a
+   * pixel narrower.
+   */
   function warnOfLargeChips() {
     const { width, height } = context
     chips.forEach((chip) => {
@@ -3967,44 +4050,123 @@ function createLifecycle(
 
 type Lifecycle = ReturnType<typeof createLifecycle>
 
-// stage/pointers: presses, drags and taps ───────────────────────────────────────────────────────────────────
+// stage/targets: what a press or a click is about ───────────────────────────────────────────────────────────
 
-/** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
-const TOUCH_HOLD = 180
-const TOUCH_DRAG_START = 8
+/** Elements that use presses themselves, so that no drag of their chip begins there. */
+const EDITABLE =
+  'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
+/** Elements that use clicks themselves, so that their chip does not hop. */
+const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
+/** Elements that the browser draws over the page, outside of the chip that holds them. */
+const OVERLAY = ':is(dialog, [popover], :fullscreen)'
+
+/**
+ * Whether an event is about an element of a kind inside the chip, in a shadow tree too. Elements around the
+ * stage don't count.
+ */
+function isInside({ element }: Chip, event: Event, kind: string) {
+  const path = event.composedPath() as Element[]
+  return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
+}
+
+/** The chip in the world that an event is about. In a stage inside a chip that is the inner chip. */
+function chipUnder(event: Event, chips: Map<Element, Chip>) {
+  const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+  return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
+}
+
+/**
+ * Whether a press is on a scroll bar, outside of what its target shows of its content: events don't mention
+ * scroll bars.
+ */
+function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
+  const { clientWidth, clientHeight } = target as Element
+  const onContent = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
+  return !onContent && /auto|scroll/.test(getComputedStyle(target as Element).overflow)
+}
+
+// stage/clicks: taps, and the clicks that end drags ─────────────────────────────────────────────────────────
 
 /** px, how high a tapped chip hops. */
 const HOP = 36
-/** Size of a held chip, as if pressed between two fingers. */
+
+/** Clicks on the chips of a stage: a tap lets its chip hop, and the click that ends a drag is stopped. */
+function createClicks(
+  { root, view, update }: Context,
+  { chips }: Children,
+  pile: StagePile,
+  { isLive }: Lifecycle,
+) {
+  /** Whether the next click ends a drag. */
+  let dragged = false
+
+  function stopAfterDrag(event: PointerEvent) {
+    // A click by a key ends no drag. Firefox takes Enter on a link for a click; older browsers have no type
+    // of pointer.
+    if (!dragged || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
+    dragged = false
+    stop(event)
+  }
+
+  /** Taps let people move a chip without dragging. */
+  function click(event: PointerEvent) {
+    // The window does not learn that a click in a closed shadow tree is in the stage.
+    stopAfterDrag(event)
+    const chip = chipUnder(event, chips)
+    if (event.defaultPrevented || !chip || !isLive() || isInside(chip, event, CONTROL)) return
+    pile.launch(chip, HOP)
+    update()
+  }
+
+  return {
+    listen(on: Listen) {
+      // Not every drag ends in a click, and the next press may be on a label outside.
+      on(view, 'pointerdown', () => (dragged = false), CAPTURE)
+      on(view, 'click', stopAfterDrag, CAPTURE)
+      on(root, 'click', click, CAPTURE)
+    },
+    /** A drag has ended. */
+    stopNext() {
+      dragged = true
+    },
+  }
+}
+
+type Clicks = ReturnType<typeof createClicks>
+
+// stage/pointers: presses and drags ─────────────────────────────────────────────────────────────────────────
+
+/**
+ * ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip and no longer
+ * scrolls the page.
+ */
+const TOUCH_HOLD = 180
+const TOUCH_DRAG_START = 8
+
+/** Scale at which a held chip is drawn. */
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-/** Elements that a press belongs to, and elements that a tap belongs to. */
-const EDITABLE =
-  'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
-const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that are drawn over the page, not in the chip that they are of. */
-const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
-
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
   down: PointerEvent
-  /** Its last event. */
+  /** The last event of the pointer. */
   at: PointerEvent
-  /** From the stage's bounding box, as it is now, to its own px. */
+  /** The map from the bounding box of the stage to its own px. */
   toStage: DOMMatrix
   box?: DOMRect
-  /** Client px, where it went down; a page that scrolls takes that along. */
+  /** Client px, where the pointer went down; scrolling moves that along. */
   fromX: number
   fromY: number
-  /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
+  /** Place of the pointer, px of the stage, at the time `seconds`. */
   x: number
   y: number
   seconds: number
+  /** px from the centre of the chip, where the pointer went down. */
   offX: number
   offY: number
-  /** What it went down on. */
+  /** The element that the pointer went down on. */
   origin: Element
   touch: boolean
   moved?: boolean
@@ -4012,34 +4174,18 @@ interface Press {
   grab?: Grab
 }
 
-/** Nothing comes of it, and nobody on the way hears of it. */
-function stop(event: Event) {
-  event.preventDefault()
-  event.stopPropagation()
-}
-
-/** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
-function isInside({ element }: Chip, event: Event, kind: string) {
-  const path = event.composedPath() as Element[]
-  return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
-}
-
-/** Whether a press is on a scroll bar: outside of what its target shows of its content. Events tell nothing of bars. */
-function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
-  const { clientWidth, clientHeight } = target as Element
-  const scrolled = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
-  return !scrolled && /auto|scroll/.test(getComputedStyle(target as Element).overflow)
-}
-
-/** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
+/**
+ * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
+ * stage and of the elements around it do together.
+ */
 function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // By transforms, not far, and of some size: where there are columns it would go to another one.
+    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
     return probe
   })
-  // All are written before any is read: one layout.
+  // All probes are written before any is read, for one layout.
   const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
   for (const probe of probes) probe.remove()
   return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
@@ -4051,7 +4197,7 @@ function capture({ chip, down }: Press) {
   try {
     chip.element.setPointerCapture(down.pointerId)
   } catch {
-    // A pointer that is gone, or made up by a script, can't be captured.
+    // A pointer that is gone, or that a script has made up, can't be captured.
   }
 }
 
@@ -4062,18 +4208,21 @@ function createPointers(
   pile: StagePile,
   focus: Focus,
   { isLive }: Lifecycle,
+  clicks: Clicks,
 ) {
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
-  let swallowClick = false
   /** Ends the listeners that follow pointers while one is down. */
   let pressing: AbortController | undefined
 
-  /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
+  /**
+   * Follows the pointers that are down, wherever they go. While none is, nobody listens to moves and scrolls
+   * of the page.
+   */
   function listenToPointers() {
     pressing = new AbortController()
     const on = listenUntil(pressing)
-    // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
+    // No link in a chip, and no draggable element around the stage, is dragged along.
     on(view, 'dragstart', stop, CAPTURE)
     on(view, 'pointermove', move, CAPTURE)
     on(view, 'scroll', follow, CAPTURE)
@@ -4084,27 +4233,24 @@ function createPointers(
 
   const holds = () => root.querySelector('[data-state=held]')
 
-  /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
+  /**
+   * No finger scrolls the page while a chip is held: the browser would take all fingers for that, and the
+   * chip would fall.
+   */
   function scroll(event: TouchEvent) {
     if (event.cancelable && holds()) event.preventDefault()
   }
 
-  /** Two fingers at once are the browser's. One may join another that already holds a chip. */
+  /** Two fingers at once zoom the page; but a second finger may join one that holds a chip. */
   function pinch({ touches }: TouchEvent) {
     if (touches[1] && !holds()) presses.forEach(letGo)
   }
 
-  /** The chip that an event is about. Of a stage in a chip the inner one is meant. */
-  function touched(event: Event) {
-    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
-    return chip && chip.id >= 0 && isLive() && !isInside(chip, event, ELSEWHERE) ? chip : undefined
-  }
-
   function down(event: PointerEvent) {
-    // Its last release may have been lost: to a dialog, another frame.
+    // The last release of this pointer may have gone to a dialog or another frame.
     up(event)
-    const chip = touched(event)
-    if (!chip || event.button || event.ctrlKey) return
+    const chip = chipUnder(event, chips)
+    if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
     const touch = event.pointerType === 'touch'
     const press = {
@@ -4122,17 +4268,18 @@ function createPointers(
     presses.set(event.pointerId, press)
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
-      // From what is taken off the page meanwhile the root would hear no more.
+      // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
   }
 
   function track(press: Press, event: PointerEvent) {
-    // A page that scrolls moves the whole stage by as much as its bounding box; what is around it may grow, as under a pointer.
+    // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+    // has another size.
     const box = root.getBoundingClientRect()
     if (box.width !== press.box?.width || box.height !== press.box.height)
       press.toStage = pointerMap(root, box)
-    // The same event again: the page has scrolled, and takes along where it went down.
+    // The same event comes again after the page has scrolled, which moves the place of the press along.
     if (event === press.at) {
       press.fromX += box.x - press.box!.x
       press.fromY += box.y - press.box!.y
@@ -4145,7 +4292,7 @@ function createPointers(
     press.seconds = event.timeStamp / 1000
   }
 
-  /** The page scrolls under a pointer that stands still. */
+  /** The page scrolls under pointers that stand still. */
   function follow() {
     presses.forEach((press) => {
       move(press.at)
@@ -4154,13 +4301,13 @@ function createPointers(
 
   function hold(press: Press) {
     const { chip } = press
-    // Another hand may have it, or may have taken it while a finger waited.
+    // Another pointer may hold the chip by now.
     if (chip.state === 'held') return letGo(press)
     clearTimeout(press.timer)
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
-    // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
+    // The chip shrinks towards the pointer: an element that shrank away from under it would miss its click.
     const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
     const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
     chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
@@ -4170,13 +4317,13 @@ function createPointers(
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    // Its release was lost: to a menu of the system, an alert.
+    // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
-      // A finger that sets out up or down wants to scroll the page.
+      // A finger that moves up or down first is to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
       capture(press)
@@ -4189,7 +4336,7 @@ function createPointers(
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    // The chip has taken it from what is inside it, or has it again.
+    // The chip has captured the pointer from an element inside it, or again.
     if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
     if (event.type === 'pointerup') move(event)
     letGo(press)
@@ -4205,44 +4352,22 @@ function createPointers(
     presses.delete(press.down.pointerId)
     if (!presses.size) pressing!.abort()
     clearTimeout(press.timer)
-    if (press.moved) swallowClick = true
+    if (press.moved) clicks.stopNext()
     if (!press.grab) return
     press.grab.release()
     press.chip.pinch = ''
     show(press.chip, 'falling')
   }
 
-  /** A drag is no click. Nobody on the way to the stage hears of it either. */
-  function swallow(event: PointerEvent) {
-    // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
-    if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
-    swallowClick = false
-    stop(event)
-  }
-
-  /** A way to move a chip without dragging. */
-  function click(event: PointerEvent) {
-    // From a closed shadow tree the window is not told where the click is.
-    swallow(event)
-    const chip = touched(event)
-    if (event.defaultPrevented || !chip || isInside(chip, event, CONTROL)) return
-    pile.launch(chip, HOP)
-    update()
-  }
-
   return {
-    /** Hears presses and clicks from now on, and touches. */
     listen(on: Listen) {
-      // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (swallowClick = false), CAPTURE)
       on(root, 'pointerdown', down)
-      on(view, 'click', swallow, CAPTURE)
-      on(root, 'click', click, CAPTURE)
-      // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
+      // Browsers ask before a finger comes down whether anybody listens to touches, so these two are there
+      // from the start.
       on(view, 'touchstart', pinch, CAPTURE)
       on(root, 'touchmove', scroll, { passive: false })
     },
-    /** An element that React moves to another place loses the pointer. */
+    /** Captures pointers again: an element that React moves to another place loses them. */
     recapture() {
       presses.forEach((press) => {
         if (press.moved || !press.origin.isConnected) capture(press)
@@ -4259,14 +4384,20 @@ function createPointers(
 
 // stage/stage: the parts, wired together ────────────────────────────────────────────────────────────────────
 
-/** While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether there is script. */
+/**
+ * While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether
+ * there is script.
+ */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most. */
 const SHAKE = 230
 
 type Stage = ReturnType<typeof createStage>
 
-/** `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a stage. */
+/**
+ * `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a
+ * stage.
+ */
 function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const page = root.ownerDocument
   const view = page.defaultView as View
@@ -4316,7 +4447,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     done: () => focus.bringIn(children.chipAt(focus.active().target)),
   })
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
-  const pointers = createPointers(context, children, pile, focus, lifecycle)
+  const clicks = createClicks(context, children, pile, lifecycle)
+  const pointers = createPointers(context, children, pile, focus, lifecycle, clicks)
 
   function restyle(target: EventTarget | null) {
     const chip = children.chipAt(target)
@@ -4350,7 +4482,9 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     })
     focus.listen(on)
     pointers.letGo()
-    if (settings.interactive) pointers.listen(on)
+    if (!settings.interactive) return
+    pointers.listen(on)
+    clicks.listen(on)
   }
 
   /** Brings all in line with what is known. Every event ends here. */
@@ -4400,7 +4534,10 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     /** To be called once the element is on the page, and again after `detach`. */
     attach: visibility.observe,
 
-    /** Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only hides. */
+    /**
+     * Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only
+     * hides.
+     */
     detach() {
       visibility.disconnect()
       update()
@@ -4416,7 +4553,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
 
 // component: the React component ────────────────────────────────────────────────────────────────────────────
 
-/** What `actionsRef` gives a caller. */
+/** The actions that `actionsRef` gives to a caller. */
 export interface GravityStackActions {
   /** Drops all chips again and ends a pause; does nothing before the stage has first come into view. */
   drop: () => void
@@ -4429,12 +4566,13 @@ export interface GravityStackActions {
 }
 
 /**
- * Numbers out of range are brought into it, and what is no number counts as left out; in development a warning says so.
+ * A number out of range counts as the nearest in range; what is no number counts as left out. A warning says
+ * so in development.
  */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
-   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with; one without
-   * a size waits until it has one.
+   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
+   * child without a size waits until it has one.
    */
   children?: React.ReactNode
   /**
@@ -4458,14 +4596,14 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   interactive?: boolean | undefined
   /**
-   * Starts each chip turned by so many half turns (a square one by quarters, a disc by any angle) that after an undisturbed drop its
-   * words lie the right way up. The pile is the same with and without.
+   * Words lie the right way up after a drop that nobody disturbs: each chip starts turned by half turns, a
+   * square one by quarter turns, a disc by any angle. The pile is the same with and without.
    * @default true
    */
   upright?: boolean | undefined
   /**
-   * `false` leaves out the drop: the pile lies there as soon as it is known, and until then the chips stand in a row. For pages that
-   * people come back to. Read once; `drop()` lets the chips fall all the same.
+   * `false` leaves out the drop, for pages that people come back to: the chips stand in a row until the pile
+   * is computed, and then lie there. Read once; `drop()` still lets the chips fall.
    * @default true
    */
   initial?: boolean | undefined
@@ -4478,28 +4616,31 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   friction?: number | undefined
   /** Called each time the last moving chip comes to rest; never with reduced motion, where nothing moves. */
   onSettle?: (() => void) | undefined
-  /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
+  /** Receives the actions of the stage: `drop()`, `shake()`, `pause()`, `resume()`. */
   actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** Stands for a text, or a portal, among elements: React then gives it a key by its slot among the children. */
+/** Holds a text or a portal, so that React gives it a key by its place among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
-/** What React wraps a child in that has not come yet, such as an async server component; `_init` throws a promise until then. */
+/**
+ * React's wrapper of a child that has not arrived, such as an async server component: `_init` throws a
+ * promise until then.
+ */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
-/** Children without such wraps: `React.Children` takes them off from React 19 on, and throws at them before. */
+/** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */
 function unwrapped(children: React.ReactNode): React.ReactNode {
   if (Array.isArray(children)) return children.map(unwrapped)
   const { _init, _payload } = Object(children) as Late
   return _init ? unwrapped(_init(_payload)) : children
 }
 
-/** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
+/** The children that fall, each with a key. Fragments and arrays are opened, empty children left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
   const all: React.ReactNode[] | null | undefined = React.Children.map(unwrapped(children), (child) => {
     if (child === null || React.isValidElement(child)) return child
-    // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
+    // Blank text comes from `{name && …}` with an empty name, and from formatters between two elements.
     return typeof child === 'object' || String(child).trim() ? <Words>{child}</Words> : null
   })
   return (all ?? []).flatMap((child): [string, React.ReactNode][] => {
@@ -4511,12 +4652,12 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   })
 }
 
-// @refresh reset: in development an edit anywhere in this file drops the pile anew.
+// @refresh reset: in development, an edit anywhere in this file drops the chips again.
 
 /**
- * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss.
- * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,
- * so the markup is the same everywhere.
+ * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss. In
+ * print, without script and with reduced motion the chips stand in a row instead. CSS alone does that, so the
+ * markup is the same everywhere.
  */
 export const GravityStack: React.ForwardRefExoticComponent<
   GravityStackProps & React.RefAttributes<HTMLDivElement>
@@ -4543,9 +4684,10 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const [falls] = React.useState(initial)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
+    // A document without layout, as in unit tests, has nothing to watch. Tests often mock the observers, but
+    // never this class.
     if (!window.CSSTransition) return
-    // What React hides and shows again keeps its pile.
+    // A stage that React hides and shows again keeps its pile.
     if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()
     return stage.current.detach
@@ -4584,15 +4726,16 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
-      // The stage takes it away once the pile is there.
+      // The stage removes it once the pile is there.
       data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
-        // A stage with another overflow, by a caller's class, style or rule, would scroll to what has the focus.
+        // With another overflow, from a class, style or rule of the caller, the stage would scroll to a chip
+        // with the focus.
         'not-print:not-data-[state=static]:overflow-clip!',
-        // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
+        // On the whole stage, as a quick click that misses a chip would select words after the stage.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
         !falls && 'data-row:p-4',
@@ -4604,15 +4747,17 @@ export const GravityStack: React.ForwardRefExoticComponent<
           key={key}
           data-slot="gravity-stack-chip"
           data-state="waiting"
-          // What a translator or an extension puts into mere words is not what they are drawn on.
+          // Elements that a translator or an extension puts into mere words don't give the chip its shape.
           data-words={typeof child === 'object' ? undefined : ''}
-          // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
-          // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
-          // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
+          // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
+          // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+          // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
+          // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
           className={cn(
             'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // Until its release it stands unseen in the stage, at its top, so that focus, find, a link to it or to its text leads
-            // there. Clipped to nothing, as what is transparent is still pressed, and slows Chromium down by its layers.
+            // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
+            // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
+            // would slow Chromium down.
             '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
@@ -4624,7 +4769,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
-          {/* An element alone would be asked for no key, in a list that has none. Words alone React writes anew after a translator. */}
+          {/* In an array React asks each element for a key. Words alone are rendered anew after a translator has changed them. */}
           {typeof child === 'object' ? [child] : child}
         </div>
       ))}

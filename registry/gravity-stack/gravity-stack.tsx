@@ -2,7 +2,7 @@ import { cn } from 'cn'
 import * as React from 'react'
 import { createStage, type Stage } from './stage/stage'
 
-/** What `actionsRef` gives a caller. */
+/** The actions that `actionsRef` gives to a caller. */
 export interface GravityStackActions {
   /** Drops all chips again and ends a pause; does nothing before the stage has first come into view. */
   drop: () => void
@@ -15,12 +15,13 @@ export interface GravityStackActions {
 }
 
 /**
- * Numbers out of range are brought into it, and what is no number counts as left out; in development a warning says so.
+ * A number out of range counts as the nearest in range; what is no number counts as left out. A warning says
+ * so in development.
  */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
-   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with; one without
-   * a size waits until it has one.
+   * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
+   * child without a size waits until it has one.
    */
   children?: React.ReactNode
   /**
@@ -44,14 +45,14 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   interactive?: boolean | undefined
   /**
-   * Starts each chip turned by so many half turns (a square one by quarters, a disc by any angle) that after an undisturbed drop its
-   * words lie the right way up. The pile is the same with and without.
+   * Words lie the right way up after a drop that nobody disturbs: each chip starts turned by half turns, a
+   * square one by quarter turns, a disc by any angle. The pile is the same with and without.
    * @default true
    */
   upright?: boolean | undefined
   /**
-   * `false` leaves out the drop: the pile lies there as soon as it is known, and until then the chips stand in a row. For pages that
-   * people come back to. Read once; `drop()` lets the chips fall all the same.
+   * `false` leaves out the drop, for pages that people come back to: the chips stand in a row until the pile
+   * is computed, and then lie there. Read once; `drop()` still lets the chips fall.
    * @default true
    */
   initial?: boolean | undefined
@@ -64,28 +65,31 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   friction?: number | undefined
   /** Called each time the last moving chip comes to rest; never with reduced motion, where nothing moves. */
   onSettle?: (() => void) | undefined
-  /** Receives the stage's actions: `drop()`, `shake()`, `pause()`, `resume()`. */
+  /** Receives the actions of the stage: `drop()`, `shake()`, `pause()`, `resume()`. */
   actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** Stands for a text, or a portal, among elements: React then gives it a key by its slot among the children. */
+/** Holds a text or a portal, so that React gives it a key by its place among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
-/** What React wraps a child in that has not come yet, such as an async server component; `_init` throws a promise until then. */
+/**
+ * React's wrapper of a child that has not arrived, such as an async server component: `_init` throws a
+ * promise until then.
+ */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
-/** Children without such wraps: `React.Children` takes them off from React 19 on, and throws at them before. */
+/** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */
 function unwrapped(children: React.ReactNode): React.ReactNode {
   if (Array.isArray(children)) return children.map(unwrapped)
   const { _init, _payload } = Object(children) as Late
   return _init ? unwrapped(_init(_payload)) : children
 }
 
-/** The children as they fall, one by one with a key each: fragments and arrays are opened, nothings left out. */
+/** The children that fall, each with a key. Fragments and arrays are opened, empty children left out. */
 function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: React.ReactNode][] {
   const all: React.ReactNode[] | null | undefined = React.Children.map(unwrapped(children), (child) => {
     if (child === null || React.isValidElement(child)) return child
-    // Blank text is what `{name && …}` leaves of an empty name, and what formatters put between two elements.
+    // Blank text comes from `{name && …}` with an empty name, and from formatters between two elements.
     return typeof child === 'object' || String(child).trim() ? <Words>{child}</Words> : null
   })
   return (all ?? []).flatMap((child): [string, React.ReactNode][] => {
@@ -97,12 +101,12 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   })
 }
 
-// @refresh reset: in development an edit anywhere in this file drops the pile anew.
+// @refresh reset: in development, an edit anywhere in this file drops the chips again.
 
 /**
- * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss.
- * In print, without script and for people who prefer reduced motion they stand in a row instead: that is CSS alone,
- * so the markup is the same everywhere.
+ * A stage whose children drop in, tumble, bounce and settle into a pile that people can grab and toss. In
+ * print, without script and with reduced motion the chips stand in a row instead. CSS alone does that, so the
+ * markup is the same everywhere.
  */
 export const GravityStack: React.ForwardRefExoticComponent<
   GravityStackProps & React.RefAttributes<HTMLDivElement>
@@ -129,9 +133,10 @@ export const GravityStack: React.ForwardRefExoticComponent<
   const [falls] = React.useState(initial)
 
   React.useEffect(() => {
-    // A document without layout, as tests have it, has nothing to watch. What else it lacks they often mock; this nobody does.
+    // A document without layout, as in unit tests, has nothing to watch. Tests often mock the observers, but
+    // never this class.
     if (!window.CSSTransition) return
-    // What React hides and shows again keeps its pile.
+    // A stage that React hides and shows again keeps its pile.
     if (!stage.current) stage.current = createStage(root.current!, pausing)
     stage.current.attach()
     return stage.current.detach
@@ -170,15 +175,16 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
-      // The stage takes it away once the pile is there.
+      // The stage removes it once the pile is there.
       data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:min-h-fit [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:p-4',
         '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:overflow-visible [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:contain-none',
-        // A stage with another overflow, by a caller's class, style or rule, would scroll to what has the focus.
+        // With another overflow, from a class, style or rule of the caller, the stage would scroll to a chip
+        // with the focus.
         'not-print:not-data-[state=static]:overflow-clip!',
-        // The whole stage, not the chips alone: a quick click that misses a chip would select words after the stage.
+        // On the whole stage, as a quick click that misses a chip would select words after the stage.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
         !falls && 'data-row:p-4',
@@ -190,15 +196,17 @@ export const GravityStack: React.ForwardRefExoticComponent<
           key={key}
           data-slot="gravity-stack-chip"
           data-state="waiting"
-          // What a translator or an extension puts into mere words is not what they are drawn on.
+          // Elements that a translator or an extension puts into mere words don't give the chip its shape.
           data-words={typeof child === 'object' ? undefined : ''}
-          // A browser that keeps the page in place by a chip, when something above grows, gives up as the chip moves.
-          // No wider than its stage less a pixel: layout knows fractions of one, walls only whole ones, and a chip wedged between them never rests.
-          // The CLI gives its prefix only to classes that stand here, and turns `left-0` round for pages that read from the right.
+          // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
+          // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+          // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
+          // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
           className={cn(
             'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // Until its release it stands unseen in the stage, at its top, so that focus, find, a link to it or to its text leads
-            // there. Clipped to nothing, as what is transparent is still pressed, and slows Chromium down by its layers.
+            // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
+            // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
+            // would slow Chromium down.
             '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
             'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
             'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
@@ -210,7 +218,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
-          {/* An element alone would be asked for no key, in a list that has none. Words alone React writes anew after a translator. */}
+          {/* In an array React asks each element for a key. Words alone are rendered anew after a translator has changed them. */}
           {typeof child === 'object' ? [child] : child}
         </div>
       ))}

@@ -15,7 +15,10 @@ export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/
 
 export type World = ReturnType<typeof createWorld>
 
-/** A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people copy. */
+/**
+ * A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people
+ * copy.
+ */
 export function createWorld(options: WorldOptions) {
   const world = createBareWorld(options)
   const { bodies, contacts, work } = world.scene

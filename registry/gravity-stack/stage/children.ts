@@ -16,9 +16,13 @@ export function createChildren(root: HTMLElement) {
     /** The chips in the order of the child elements. */
     inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
 
-    /** Brings the chips in line with the child elements: calls `add` with each new one, returns those that are gone. */
+    /**
+     * Brings the chips in line with the child elements: calls `add` with each new one, returns those that are
+     * gone.
+     */
     collect(add: (chip: Chip) => void) {
-      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would never load.
+      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would
+      // never load.
       for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
         lazy.setAttribute('loading', 'eager')
       for (const element of Array.from(root.children) as HTMLElement[]) {

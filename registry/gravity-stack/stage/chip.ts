@@ -1,7 +1,8 @@
 import type { Release } from './release'
 
-// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop writes transforms.
-// React renders the wrappers of the chips and never touches their style and state again: those belong to the stage.
+// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop
+// writes transforms. React renders the wrappers of the chips and never touches their style and state again:
+// those belong to the stage.
 
 /** A child of the stage, in the element that the component wraps it in. */
 export interface Chip extends Release {
@@ -21,11 +22,13 @@ export interface Chip extends Release {
   hasAngle?: boolean
 }
 
-/** Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from. */
+/**
+ * Reads the corner radius that a chip is drawn with, and has `changes` watch the style that it comes from.
+ */
 export function measureRadius(chip: Chip, changes: MutationObserver) {
   const { element, width, height } = chip
-  // The face of a chip is its first child that takes up room: not words for screen readers, not style elements. Mere words
-  // have none and are drawn on the wrapper.
+  // The face of a chip is its first child that takes up room: not words for screen readers, not style
+  // elements. Mere words have none and are drawn on the wrapper.
   let face: CSSStyleDeclaration | undefined
   let next: Element | null
   for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
@@ -39,15 +42,17 @@ export function measureRadius(chip: Chip, changes: MutationObserver) {
     break
   }
   if (!face) element.style.borderRadius = ''
+  chip.radius = cornerRadius(face ?? getComputedStyle(element), width, height)
+}
+
+/** px, the least of the four corner radii of a style, as nothing drawn may reach out of the body. */
+export function cornerRadius({ borderRadius }: CSSStyleDeclaration, width: number, height: number) {
   const short = Math.min(width, height)
   // WebKit returns Tailwind's `rounded-full` as it was written: infinity * 1px.
-  const corners = (face ?? getComputedStyle(element)).borderRadius
-    .replace(/(calc.)?infinity . /g, '9e9')
-    .split(/[ /]+/)
-    // A percentage is taken of the shorter side.
-    .map((corner) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1))
-  // The least of the four: nothing drawn may reach out of the body.
-  chip.radius = Math.min(...corners, short / 2)
+  const corners = borderRadius.replace(/(calc.)?infinity . /g, '9e9').split(/[ /]+/)
+  // A percentage is taken of the shorter side.
+  const toPx = (corner: string) => (Number.parseFloat(corner) || 0) * (/%/.test(corner) ? short / 100 : 1)
+  return Math.min(...corners.map(toPx), short / 2)
 }
 
 /** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
@@ -66,7 +71,8 @@ export function draw(chip: Chip) {
   const { element, x, y, angle } = chip
   const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
   element.style.transform = at + chip.pinch
-  // While a style holds a custom property, Chromium matches its element against all rules each time the style changes.
+  // While a style holds a custom property, Chromium matches its element against all rules each time the style
+  // changes.
   if (chip.hasAngle) element.style.removeProperty('--chip-angle')
   chip.hasAngle = false
 }
@@ -84,7 +90,8 @@ export function setState(chip: Chip, next: Chip['state']) {
   chip.state = next
   element.setAttribute('data-state', next)
   if (next === 'waiting') {
-    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless it has the focus.
+    // The chip waits unseen at the top of the stage. Later it is no nearer to the front than others, unless
+    // it has the focus.
     element.style.transform = ''
     if (!element.matches(':focus-within')) element.style.zIndex = ''
   }

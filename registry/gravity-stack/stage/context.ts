@@ -5,7 +5,9 @@ export type View = typeof globalThis & Window
 /** What the parts of a stage share. */
 export interface Context {
   root: HTMLElement
-  /** The stage's own window: in one that the page has opened, observers of the page would not see the stage. */
+  /**
+   * The stage's own window: in one that the page has opened, observers of the page would not see the stage.
+   */
   view: View
   /** Matches while the chips stand in a row. */
   still: MediaQueryList

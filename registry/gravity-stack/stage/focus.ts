@@ -4,7 +4,10 @@ import type { Context } from './context'
 import { CAPTURE, type Listen } from './listeners'
 import type { StagePile } from './pile'
 
-/** Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its release. */
+/**
+ * Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its
+ * release.
+ */
 export function createFocus(
   { root, view, still, pausing, update }: Context,
   { chipAt }: Children,
@@ -31,9 +34,9 @@ export function createFocus(
       if (!chip) return
       focus.toFront(chip)
       if (still.matches) return
-      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies, it comes itself if
-      // that was not enough. A press scrolls nothing, though a field shows its focus then as well; nor does the focus that a
-      // dialog gives back.
+      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies,
+      // it comes itself if that was not enough. A press scrolls nothing, though a field shows its focus then
+      // as well; nor does the focus that a dialog gives back.
       const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
       if (unseen && chip.state !== 'resting') {
         if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
@@ -47,7 +50,10 @@ export function createFocus(
       update()
     },
 
-    /** Does what is to do for the element that has the focus already, in the page or in the stage's shadow tree. */
+    /**
+     * Does what is to do for the element that has the focus already, in the page or in the stage's shadow
+     * tree.
+     */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
     /** In a paused stage, where no time passes, puts a chip where it can be seen. */

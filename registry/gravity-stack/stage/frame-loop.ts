@@ -24,8 +24,9 @@ export function createFrameLoop(view: View, tick: (seconds: number) => void) {
   }
 
   /**
-   * Calls itself in the window's own frames, and `render` where Motion's loop stands still. An error in anybody's
-   * callback ends Motion's loop for good. A window that the page has opened goes on while the page is hidden.
+   * Calls itself in the window's own frames, and `render` where Motion's loop stands still. An error in
+   * anybody's callback ends Motion's loop for good. A window that the page has opened goes on while the page
+   * is hidden.
    */
   function watch() {
     request = view.requestAnimationFrame(watch)

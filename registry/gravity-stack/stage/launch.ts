@@ -3,12 +3,15 @@ import { scatter } from './release'
 
 /** px/s², the least gravity that launches are computed for. */
 const LEAST_GRAVITY = 100
-/** Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land on their heads. */
+/**
+ * Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land
+ * on their heads.
+ */
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s) brings a chip
- * that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s)
+ * brings a chip that is drawn at `angle` upright by the time it comes down.
  */
 export function launchMotion(number: number, height: number, gravity: number, angle: number) {
   const either = (channel: number) => 2 * scatter(number, channel) - 1

@@ -44,7 +44,8 @@ export function createLifecycle(
     state = next
     pile.touch()
     root.setAttribute('data-state', next)
-    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it changes.
+    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it
+    // changes.
     root.toggleAttribute('data-halted', next === 'static' || next === 'paused')
     if (next === 'resting') {
       pile.chips.forEach(exposeAngle)
@@ -54,7 +55,10 @@ export function createLifecycle(
     if (settled && settings.onSettle) queueMicrotask(settings.onSettle)
   }
 
-  /** Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a pixel narrower. */
+  /**
+   * Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a
+   * pixel narrower.
+   */
   function warnOfLargeChips() {
     const { width, height } = context
     chips.forEach((chip) => {

@@ -13,3 +13,9 @@ export function listenUntil({ signal }: AbortController): Listen {
   return (target, type, handler, options) =>
     target.addEventListener(type, handler as EventListener, { signal, ...options })
 }
+
+/** Keeps the browser, and handlers further on the way, from doing anything with an event. */
+export function stop(event: Event) {
+  event.preventDefault()
+  event.stopPropagation()
+}

@@ -2,10 +2,14 @@ import { STEP } from '../solver/constants'
 import { createWorld } from '../solver/world'
 import { addReleased, type Pile, type Release } from './release'
 
-// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will lie. Equal steps
-// give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its body looks the same after half a turn.
+// Words land the right way up. A copy of the world goes ahead of the shown one and tells how each chip will
+// lie. Equal steps give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its
+// body looks the same after half a turn.
 
-/** s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs roll for longer. */
+/**
+ * s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs
+ * roll for longer.
+ */
 const FORESIGHT = 6
 /** ms, how long one slice of the work takes. */
 export const SLICE = 4
@@ -37,8 +41,9 @@ export function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
 
   return {
     /**
-     * Lets the copy go on for a slice. It starts again from the shown pile when something but time has changed that, or when
-     * the copy has fallen behind. Returns whether the copy is as far ahead as it is to go.
+     * Lets the copy go on for a slice. It starts again from the shown pile when something but time has
+     * changed that, or when the copy has fallen behind. Returns whether the copy is as far ahead as it is to
+     * go.
      */
     advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
       const end = performance.now() + SLICE

@@ -7,7 +7,9 @@ import { type LookAhead, uprightTurn } from './look-ahead'
 import { addReleased, reach } from './release'
 import type { ReleaseQueue } from './release-queue'
 
-/** px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding. */
+/**
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding.
+ */
 const VISIBLE = 0.0121
 
 /** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
@@ -38,8 +40,8 @@ export function createPile(
     const swung = (angle - chip.angle) * chip.reach
     // All radii of this frame have been read by now: a read after a write would compute the styles twice.
     if (Number.isNaN(chip.x)) applyCornerRadius(chip)
-    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it lies, even
-    // if its last movement was too small to see.
+    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where
+    // it lies, even if its last movement was too small to see.
     if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
       chip.x = x
       chip.y = y
@@ -49,7 +51,10 @@ export function createPile(
     if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
   }
 
-  /** Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage, out of sight. */
+  /**
+   * Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage,
+   * out of sight.
+   */
   function turnUnseen(chip: Chip, y: number, angle: number) {
     const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
     if (y + chip.reach + fall < 0) return
@@ -98,7 +103,10 @@ export function createPile(
       chip.x = Number.NaN
     },
 
-    /** Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to move up. */
+    /**
+     * Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to
+     * move up.
+     */
     withdraw(chip: Chip) {
       const waited = queue.remove(chip)
       pile.world?.remove(chip.id)
@@ -114,7 +122,8 @@ export function createPile(
       chip.width = width
       chip.height = height
       chip.reach = reach(width, height)
-      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in one frame.
+      // The radius of a chip that waits is read when its turn comes: at first that would be all of them in
+      // one frame.
       if (chip.id < 0) {
         chip.radius = Number.NaN
         queue.revision++
@@ -155,7 +164,10 @@ export function createPile(
       pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
     },
 
-    /** Releases the chips anew that have left a stage without gravity by the top, where they would float for good. */
+    /**
+     * Releases the chips anew that have left a stage without gravity by the top, where they would float for
+     * good.
+     */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
       if (settings.gravity || recovered) return

@@ -1,48 +1,45 @@
 import type { Grab } from '../solver/world'
 import type { Children } from './children'
 import { type Chip, draw, setState } from './chip'
+import type { Clicks } from './clicks'
 import type { Context } from './context'
 import type { Focus } from './focus'
 import type { Lifecycle } from './lifecycle'
-import { CAPTURE, type Listen, listenUntil } from './listeners'
+import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
+import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
 
-/** ms that a finger rests on a chip, or px that it moves aside, before it holds the chip instead of scrolling the page. */
+/**
+ * ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip and no longer
+ * scrolls the page.
+ */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
 
-/** px, how high a tapped chip hops. */
-const HOP = 36
-/** Size of a held chip, as if pressed between two fingers. */
+/** Scale at which a held chip is drawn. */
 const HELD_SCALE = 0.97
 /** px that a mouse moves before a press is a drag. */
 const DRAG_START = 4
-/** Elements that a press belongs to, and elements that a tap belongs to. */
-const EDITABLE =
-  'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
-const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that are drawn over the page, not in the chip that they are of. */
-const ELSEWHERE = ':is(dialog, [popover], :fullscreen)'
-
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
   down: PointerEvent
-  /** Its last event. */
+  /** The last event of the pointer. */
   at: PointerEvent
-  /** From the stage's bounding box, as it is now, to its own px. */
+  /** The map from the bounding box of the stage to its own px. */
   toStage: DOMMatrix
   box?: DOMRect
-  /** Client px, where it went down; a page that scrolls takes that along. */
+  /** Client px, where the pointer went down; scrolling moves that along. */
   fromX: number
   fromY: number
-  /** The pointer, px of the stage and s, and where it went down, from the centre of the chip. */
+  /** Place of the pointer, px of the stage, at the time `seconds`. */
   x: number
   y: number
   seconds: number
+  /** px from the centre of the chip, where the pointer went down. */
   offX: number
   offY: number
-  /** What it went down on. */
+  /** The element that the pointer went down on. */
   origin: Element
   touch: boolean
   moved?: boolean
@@ -50,34 +47,18 @@ interface Press {
   grab?: Grab
 }
 
-/** Nothing comes of it, and nobody on the way hears of it. */
-function stop(event: Event) {
-  event.preventDefault()
-  event.stopPropagation()
-}
-
-/** Whether an event is about something of a kind inside the chip, in a shadow tree too; what is around the stage does not count. */
-function isInside({ element }: Chip, event: Event, kind: string) {
-  const path = event.composedPath() as Element[]
-  return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
-}
-
-/** Whether a press is on a scroll bar: outside of what its target shows of its content. Events tell nothing of bars. */
-function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
-  const { clientWidth, clientHeight } = target as Element
-  const scrolled = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
-  return !scrolled && /auto|scroll/.test(getComputedStyle(target as Element).overflow)
-}
-
-/** From the bounding box `box` of the stage to its own px, through whatever scales, turns or skews its ancestors: three points tell. */
-function pointerMap(root: HTMLElement, box: DOMRect) {
+/**
+ * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
+ * stage and of the elements around it do together.
+ */
+export function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = [0, 1, 2].map((i) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // By transforms, not far, and of some size: where there are columns it would go to another one.
+    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
     return probe
   })
-  // All are written before any is read: one layout.
+  // All probes are written before any is read, for one layout.
   const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
   for (const probe of probes) probe.remove()
   return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
@@ -89,7 +70,7 @@ function capture({ chip, down }: Press) {
   try {
     chip.element.setPointerCapture(down.pointerId)
   } catch {
-    // A pointer that is gone, or made up by a script, can't be captured.
+    // A pointer that is gone, or that a script has made up, can't be captured.
   }
 }
 
@@ -100,18 +81,21 @@ export function createPointers(
   pile: StagePile,
   focus: Focus,
   { isLive }: Lifecycle,
+  clicks: Clicks,
 ) {
   /** Pointers that are down on a chip, by their id. */
   const presses = new Map<number, Press>()
-  let swallowClick = false
   /** Ends the listeners that follow pointers while one is down. */
   let pressing: AbortController | undefined
 
-  /** Hears wherever a pointer that is down goes. While none is, the page's moves and scrolls are nobody's business here. */
+  /**
+   * Follows the pointers that are down, wherever they go. While none is, nobody listens to moves and scrolls
+   * of the page.
+   */
   function listenToPointers() {
     pressing = new AbortController()
     const on = listenUntil(pressing)
-    // No link, and no draggable thing around the stage, drags along with a chip, or thinks that it does.
+    // No link in a chip, and no draggable element around the stage, is dragged along.
     on(view, 'dragstart', stop, CAPTURE)
     on(view, 'pointermove', move, CAPTURE)
     on(view, 'scroll', follow, CAPTURE)
@@ -122,27 +106,24 @@ export function createPointers(
 
   const holds = () => root.querySelector('[data-state=held]')
 
-  /** While a chip is held no finger on the stage scrolls the page: the browser would take all of them, and the chip would fall. */
+  /**
+   * No finger scrolls the page while a chip is held: the browser would take all fingers for that, and the
+   * chip would fall.
+   */
   function scroll(event: TouchEvent) {
     if (event.cancelable && holds()) event.preventDefault()
   }
 
-  /** Two fingers at once are the browser's. One may join another that already holds a chip. */
+  /** Two fingers at once zoom the page; but a second finger may join one that holds a chip. */
   function pinch({ touches }: TouchEvent) {
     if (touches[1] && !holds()) presses.forEach(letGo)
   }
 
-  /** The chip that an event is about. Of a stage in a chip the inner one is meant. */
-  function touched(event: Event) {
-    const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
-    return chip && chip.id >= 0 && isLive() && !isInside(chip, event, ELSEWHERE) ? chip : undefined
-  }
-
   function down(event: PointerEvent) {
-    // Its last release may have been lost: to a dialog, another frame.
+    // The last release of this pointer may have gone to a dialog or another frame.
     up(event)
-    const chip = touched(event)
-    if (!chip || event.button || event.ctrlKey) return
+    const chip = chipUnder(event, chips)
+    if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
     const touch = event.pointerType === 'touch'
     const press = {
@@ -160,17 +141,18 @@ export function createPointers(
     presses.set(event.pointerId, press)
     if (touch) {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
-      // From what is taken off the page meanwhile the root would hear no more.
+      // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
   }
 
   function track(press: Press, event: PointerEvent) {
-    // A page that scrolls moves the whole stage by as much as its bounding box; what is around it may grow, as under a pointer.
+    // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+    // has another size.
     const box = root.getBoundingClientRect()
     if (box.width !== press.box?.width || box.height !== press.box.height)
       press.toStage = pointerMap(root, box)
-    // The same event again: the page has scrolled, and takes along where it went down.
+    // The same event comes again after the page has scrolled, which moves the place of the press along.
     if (event === press.at) {
       press.fromX += box.x - press.box!.x
       press.fromY += box.y - press.box!.y
@@ -183,7 +165,7 @@ export function createPointers(
     press.seconds = event.timeStamp / 1000
   }
 
-  /** The page scrolls under a pointer that stands still. */
+  /** The page scrolls under pointers that stand still. */
   function follow() {
     presses.forEach((press) => {
       move(press.at)
@@ -192,13 +174,13 @@ export function createPointers(
 
   function hold(press: Press) {
     const { chip } = press
-    // Another hand may have it, or may have taken it while a finger waited.
+    // Another pointer may hold the chip by now.
     if (chip.state === 'held') return letGo(press)
     clearTimeout(press.timer)
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
-    // The point in the hand stays where it is: what shrank away from under the pointer would miss its click.
+    // The chip shrinks towards the pointer: an element that shrank away from under it would miss its click.
     const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
     const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
     chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
@@ -208,13 +190,13 @@ export function createPointers(
   function move(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    // Its release was lost: to a menu of the system, an alert.
+    // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
     track(press, event)
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
-      // A finger that sets out up or down wants to scroll the page.
+      // A finger that moves up or down first is to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
       capture(press)
@@ -227,7 +209,7 @@ export function createPointers(
   function up(event: PointerEvent) {
     const press = presses.get(event.pointerId)
     if (!press) return
-    // The chip has taken it from what is inside it, or has it again.
+    // The chip has captured the pointer from an element inside it, or again.
     if (event.type === 'lostpointercapture' && press.chip.element.hasPointerCapture(event.pointerId)) return
     if (event.type === 'pointerup') move(event)
     letGo(press)
@@ -243,44 +225,22 @@ export function createPointers(
     presses.delete(press.down.pointerId)
     if (!presses.size) pressing!.abort()
     clearTimeout(press.timer)
-    if (press.moved) swallowClick = true
+    if (press.moved) clicks.stopNext()
     if (!press.grab) return
     press.grab.release()
     press.chip.pinch = ''
     show(press.chip, 'falling')
   }
 
-  /** A drag is no click. Nobody on the way to the stage hears of it either. */
-  function swallow(event: PointerEvent) {
-    // A key's click is no drag's: Firefox counts Enter on a link as one, older browsers tell no type of pointer.
-    if (!swallowClick || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
-    swallowClick = false
-    stop(event)
-  }
-
-  /** A way to move a chip without dragging. */
-  function click(event: PointerEvent) {
-    // From a closed shadow tree the window is not told where the click is.
-    swallow(event)
-    const chip = touched(event)
-    if (event.defaultPrevented || !chip || isInside(chip, event, CONTROL)) return
-    pile.launch(chip, HOP)
-    update()
-  }
-
   return {
-    /** Hears presses and clicks from now on, and touches. */
     listen(on: Listen) {
-      // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (swallowClick = false), CAPTURE)
       on(root, 'pointerdown', down)
-      on(view, 'click', swallow, CAPTURE)
-      on(root, 'click', click, CAPTURE)
-      // Where fingers are listened to browsers ask before one comes down, so these two are there from the start. One that holds a chip does not scroll.
+      // Browsers ask before a finger comes down whether anybody listens to touches, so these two are there
+      // from the start.
       on(view, 'touchstart', pinch, CAPTURE)
       on(root, 'touchmove', scroll, { passive: false })
     },
-    /** An element that React moves to another place loses the pointer. */
+    /** Captures pointers again: an element that React moves to another place loses them. */
     recapture() {
       presses.forEach((press) => {
         if (press.moved || !press.origin.isConnected) capture(press)

@@ -62,7 +62,8 @@ export function createReleaseQueue() {
     reschedule() {
       const waiting = queue.chips
       queue.chips = []
-      // Counted from the last release: counted from now, a stagger that changes again and again would put the next one off for ever.
+      // Counted from the last release: counted from now, a stagger that changes again and again would put the
+      // next one off for ever.
       slot = Math.max(0, queue.latest + queue.stagger / 1000)
       waiting.forEach(schedule)
     },
@@ -73,8 +74,8 @@ export function createReleaseQueue() {
     },
 
     /**
-     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a release falls
-     * on the same place within its step as without a pause.
+     * Brings the clock up to now while nothing moves. It goes in whole steps, as the world does, so that a
+     * release falls on the same place within its step as without a pause.
      */
     catchUp() {
       if (idleSince === undefined) return

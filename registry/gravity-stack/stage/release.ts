@@ -1,60 +1,80 @@
 import { STEP } from '../solver/constants'
 import type { World } from '../solver/world'
 
-// Where and when each chip starts: the same for the same stage and chips, in every browser.
-// So there is + − × ÷ √ only in here, and a release falls in the middle of a step of the world:
-// no rounding of frame times can move it to another one.
+// Each chip starts at the same place and time for the same stage and chips, in every browser. So this module
+// uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
+// times moves it to another step.
 
-/** Share of the width between one release and the next, 1/φ: every run of releases covers the stage evenly. */
+/**
+ * Share of the width between one release and the next, 1/φ. Any number of releases in a row covers the stage
+ * evenly.
+ */
 const GOLDEN_SHARE = 0.6180339887498949
-/** Most that a release strays from its place, as a share of the width. */
+/** The farthest that a release strays from its place, as a share of the width. */
 const STRAY = 0.05
-/** s, most that a release comes late. */
+/** s, the longest time that a release comes late. */
 const LATE = 0.12
-/** px between the top edge of the stage and the lower edge of a chip: least, and what scatter adds. */
+/**
+ * px between the top edge of the stage and the lower edge of a chip: the least, and the most that is added to
+ * it.
+ */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
-/** rad either way. The release box below takes its sine as 1/4. */
+/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
 const TILT = 0.25
-/** px/s either way. */
+/** px/s, the largest speed to either side. */
 const DRIFT = 40
-/** rad/s either way. */
+/** rad/s, the largest spin either way. */
 const TWIST = 1.2
-/** px/s² below which gravity alone would not bring a chip into view, and px/s that it starts with instead. */
+/**
+ * px/s² below which gravity alone would not bring a chip into view, and px/s that the chip starts with
+ * instead.
+ */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
-/** A number in [0, 1) for two integers: squares times an irrational number leave fractions without a pattern. */
+/**
+ * A number in [0, 1) for two integers: squares times an irrational number leave fractions without a pattern.
+ */
 export function scatter(index: number, channel: number): number {
   const n = index * 8 + channel + 1
   return (n * n * GOLDEN_SHARE) % 1
 }
 
-/** Time of the release with this index, whose turn is at `slot`; both in s since the stage began. */
+/**
+ * s, time of the release with this index. `slot` is the earliest time, s; both count from the start of the
+ * drop.
+ */
 export function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
 }
 
-/** Distance of the farthest point of a box from its centre, px. By √, which is the same in every engine. */
+/**
+ * px, distance of the corner of a box from its centre. √ gives the same bits in every engine, `Math.hypot`
+ * does not.
+ */
 export function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
-/** What is released, and how. */
+/** A body that is released into a world, and when. */
 export interface Release {
-  /** Border box, corner radius and half the diagonal, px. Zero width: not measured, or nothing to see. */
+  /**
+   * px: border box, corner radius, half the diagonal. The width is 0 before it is measured, and without a
+   * size.
+   */
   width: number
   height: number
   radius: number
   reach: number
-  /** Number of its release, and its time on the stage's clock, s. */
+  /** Number of the release, and its time on the stage's clock, s. */
   order: number
   due: number
-  /** In the world, or -1. */
+  /** Of the body in the world, or -1. */
   id: number
 }
 
-/** Something in the way of a release: its centre and the distance of its farthest point from it, px. */
+/** Something in the way of a release: its centre, and the distance of its farthest point from that, px. */
 export interface Obstacle {
   x: number
   y: number
@@ -70,7 +90,7 @@ export function releasePose(
   gravity: number,
   obstacles: Obstacle[],
 ) {
-  // A chip too long to turn between the walls falls level: it would jam between them, out of sight.
+  // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
   const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
@@ -78,7 +98,8 @@ export function releasePose(
   const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
   const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
   let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
-  // From the lowest top to the highest: whatever has been cleared once stays clear.
+  // In the order of their tops, the lowest first: the release only moves up, so it stays clear of those it
+  // has passed.
   obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
   for (const other of obstacles) {
     if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
@@ -100,7 +121,7 @@ export interface Pile<T extends Release = Release> {
   chips: T[]
 }
 
-/** Puts something into a pile where its release says, clear of all that is still above the stage there; returns the id of its body. */
+/** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
 export function addReleased<T extends Release>(
   { world, chips }: Pile<T>,
   next: T,

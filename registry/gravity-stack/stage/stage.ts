@@ -1,5 +1,6 @@
 import { createChildren } from './children'
 import { type Chip, measureRadius } from './chip'
+import { createClicks } from './clicks'
 import type { Context, View } from './context'
 import { createFocus } from './focus'
 import { createLifecycle } from './lifecycle'
@@ -13,14 +14,20 @@ import { createReleaseQueue } from './release-queue'
 import { createSizes } from './sizes'
 import { createVisibility } from './visibility'
 
-/** While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether there is script. */
+/**
+ * While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether
+ * there is script.
+ */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most. */
 const SHAKE = 230
 
 export type Stage = ReturnType<typeof createStage>
 
-/** `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a stage. */
+/**
+ * `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a
+ * stage.
+ */
 export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const page = root.ownerDocument
   const view = page.defaultView as View
@@ -70,7 +77,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     done: () => focus.bringIn(children.chipAt(focus.active().target)),
   })
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
-  const pointers = createPointers(context, children, pile, focus, lifecycle)
+  const clicks = createClicks(context, children, pile, lifecycle)
+  const pointers = createPointers(context, children, pile, focus, lifecycle, clicks)
 
   function restyle(target: EventTarget | null) {
     const chip = children.chipAt(target)
@@ -104,7 +112,9 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     })
     focus.listen(on)
     pointers.letGo()
-    if (settings.interactive) pointers.listen(on)
+    if (!settings.interactive) return
+    pointers.listen(on)
+    clicks.listen(on)
   }
 
   /** Brings all in line with what is known. Every event ends here. */
@@ -154,7 +164,10 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     /** To be called once the element is on the page, and again after `detach`. */
     attach: visibility.observe,
 
-    /** Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only hides. */
+    /**
+     * Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only
+     * hides.
+     */
     detach() {
       visibility.disconnect()
       update()

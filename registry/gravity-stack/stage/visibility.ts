@@ -1,7 +1,10 @@
 import type { Context } from './context'
 import { warn } from './props'
 
-/** Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at once. */
+/**
+ * Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at
+ * once.
+ */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
 /** ms until a stage that a transform has scaled to nothing is checked again. */
@@ -12,10 +15,14 @@ function above(node: Element): Element | null | undefined {
   return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
-/** px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls in. */
+/**
+ * px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls
+ * in.
+ */
 function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
   const { body, defaultView } = root.ownerDocument
-  // A frame of another site has no root bounds. To a frame of the same site they are those of the page around it.
+  // A frame of another site has no root bounds. To a frame of the same site they are those of the page around
+  // it.
   let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
   let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
   for (let node = above(root); node; node = above(node)) {
@@ -27,7 +34,9 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   return Math.min(wide, whole.width) * Math.min(high, whole.height)
 }
 
-/** Knows whether a stage is in view; calls `approach` when the stage first comes within a screen of the view. */
+/**
+ * Knows whether a stage is in view; calls `approach` when the stage first comes within a screen of the view.
+ */
 export function createVisibility({ root, view, update }: Context, approach: () => void) {
   let timer: ReturnType<typeof setTimeout> | undefined
   const nearby = new view.IntersectionObserver(
@@ -55,7 +64,8 @@ export function createVisibility({ root, view, update }: Context, approach: () =
     if (isIntersecting && !(whole.width * whole.height)) {
       const { clientWidth, clientHeight } = root
       if (clientWidth * clientHeight)
-        // A stage that a transform has scaled to nothing is as much in view as later, so no entry would tell when it grows.
+        // A stage that a transform has scaled to nothing is as much in view as later, so no entry would tell
+        // when it grows.
         timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
       else if (process.env.NODE_ENV !== 'production')
         warn(

@@ -1,5 +1,5 @@
-// Prints the bytes that a step of 60 chips awake allocates, each number the mean of 600 steps. Run by world.test.ts in a
-// process of its own, where nothing else has shaped the compiled code.
+// Prints the bytes that a step of 60 chips awake allocates, each number the mean of 600 steps. Run by
+// world.test.ts in a process of its own, where nothing else has shaped the compiled code.
 import { Session } from 'node:inspector/promises'
 import { pourChips } from '../../../scenes/piles'
 import { frame } from '../../../scenes/scene'

@@ -1,5 +1,5 @@
-// Five named scenes, each with the step at which it sleeps and the hash of its poses then: the same bits in every
-// JavaScript engine. pins.json holds them.
+// Five named scenes, each with the step at which it sleeps and the hash of its poses then: the same bits in
+// every JavaScript engine. pins.json holds them.
 import { sceneNamed } from '../../../scenes'
 import { frame } from '../../../scenes/scene'
 import type { createWorld } from '../world'

@@ -1,6 +1,6 @@
-// Pours 60 chips, makes another world, then pours the same chips again when the first two have gone, with marks between. Run by
-// world.test.ts with --trace-deopt, --trace-opt and --expose-gc, in a process of its own, where nothing else has shaped the
-// compiled code.
+// Pours 60 chips, makes another world, then pours the same chips again when the first two have gone, with
+// marks between. Run by world.test.ts with --trace-deopt, --trace-opt and --expose-gc, in a process of its
+// own, where nothing else has shaped the compiled code.
 import { writeSync } from 'node:fs'
 import { pourChips } from '../../../scenes/piles'
 import { run, worldOf } from './worlds'

@@ -1,0 +1,34 @@
+import type { Chip } from './chip'
+
+/** Elements that use presses themselves, so that no drag of their chip begins there. */
+export const EDITABLE =
+  'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
+/** Elements that use clicks themselves, so that their chip does not hop. */
+export const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
+/** Elements that the browser draws over the page, outside of the chip that holds them. */
+const OVERLAY = ':is(dialog, [popover], :fullscreen)'
+
+/**
+ * Whether an event is about an element of a kind inside the chip, in a shadow tree too. Elements around the
+ * stage don't count.
+ */
+export function isInside({ element }: Chip, event: Event, kind: string) {
+  const path = event.composedPath() as Element[]
+  return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
+}
+
+/** The chip in the world that an event is about. In a stage inside a chip that is the inner chip. */
+export function chipUnder(event: Event, chips: Map<Element, Chip>) {
+  const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+  return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
+}
+
+/**
+ * Whether a press is on a scroll bar, outside of what its target shows of its content: events don't mention
+ * scroll bars.
+ */
+export function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
+  const { clientWidth, clientHeight } = target as Element
+  const onContent = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
+  return !onContent && /auto|scroll/.test(getComputedStyle(target as Element).overflow)
+}
