@@ -14,10 +14,7 @@ export interface GravityStackActions {
   resume: () => void
 }
 
-/**
- * A number out of range counts as the nearest in range; what is no number counts as left out. A warning says
- * so in development.
- */
+/** A number out of range counts as the nearest in range, no number as left out; a warning says so. */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
    * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
@@ -72,10 +69,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
 /** Holds a text or a portal, so that React gives it a key by its place among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
-/**
- * React's wrapper of a child that has not arrived, such as an async server component: `_init` throws a
- * promise until then.
- */
+/** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
 /** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */

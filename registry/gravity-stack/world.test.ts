@@ -64,7 +64,8 @@ describe('what falls for long', () => {
 })
 
 describe('a thousand pills poured at once', () => {
-  // Of 88 such pours the worst goes 3.8 px deep; these went 14 and 7 deep when hits that never came put chips back.
+  // Of 88 such pours the worst goes 3.8 px deep; these went 14 and 7 deep when hits that never came put chips
+  // back.
   for (const seed of [13, 105])
     it(`go less than 5 px into each other as they land: seed ${seed}`, () => {
       const bounds = pourStage(1000)
@@ -412,7 +413,8 @@ describe('what was compiled for one world', () => {
   }, 60_000)
 
   it('is not thrown away when another is made', () => {
-    // The functions that make worlds may be compiled anew, those that step them not; while they get warm they are.
+    // The functions that make worlds may be compiled anew, those that step them not; while they get warm they
+    // are.
     const names =
       'collide|measureFaces|iterate|prepareContacts|updateContacts?|updateRotation|integrate\\w+|solve\\w+'
     const stepping = new RegExp(`bailout .*<JSFunction (${names})\\b`)

@@ -16,10 +16,7 @@ export function createChildren(root: HTMLElement) {
     /** The chips in the order of the child elements. */
     inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
 
-    /**
-     * Brings the chips in line with the child elements: calls `add` with each new one, returns those that are
-     * gone.
-     */
+    /** Calls `add` with a chip for each new child element; returns the chips whose elements are gone. */
     collect(add: (chip: Chip) => void) {
       // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would
       // never load.

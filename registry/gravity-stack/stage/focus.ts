@@ -4,10 +4,7 @@ import type { Context } from './context'
 import { CAPTURE, type Listen } from './listeners'
 import type { StagePile } from './pile'
 
-/**
- * Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its
- * release.
- */
+/** Brings the chip with the focus to the front and into view; calls `hurry` if it waits for its release. */
 export function createFocus(
   { root, view, still, pausing, update }: Context,
   { chipAt }: Children,
@@ -50,10 +47,7 @@ export function createFocus(
       update()
     },
 
-    /**
-     * Does what is to do for the element that has the focus already, in the page or in the stage's shadow
-     * tree.
-     */
+    /** An event's target for the element that has the focus, in the page or the shadow tree. */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
     /** In a paused stage, where no time passes, puts a chip where it can be seen. */

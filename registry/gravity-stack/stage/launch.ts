@@ -3,10 +3,7 @@ import { scatter } from './release'
 
 /** px/s², the least gravity that launches are computed for. */
 const LEAST_GRAVITY = 100
-/**
- * Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land
- * on their heads.
- */
+/** Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down. */
 const SIDEWAYS = 0.15
 
 /**

@@ -55,10 +55,7 @@ export function createLifecycle(
     if (settled && settings.onSettle) queueMicrotask(settings.onSettle)
   }
 
-  /**
-   * Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a
-   * pixel narrower.
-   */
+  /** Warns only at rest, as a stage that opens is small at first. CSS keeps a chip a pixel narrower. */
   function warnOfLargeChips() {
     const { width, height } = context
     chips.forEach((chip) => {

@@ -51,10 +51,7 @@ export function createPile(
     if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
   }
 
-  /**
-   * Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage,
-   * out of sight.
-   */
+  /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
     const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
     if (y + chip.reach + fall < 0) return
@@ -103,10 +100,7 @@ export function createPile(
       chip.x = Number.NaN
     },
 
-    /**
-     * Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to
-     * move up.
-     */
+    /** Takes a chip out of the world or the queue; returns whether it was in the queue. */
     withdraw(chip: Chip) {
       const waited = queue.remove(chip)
       pile.world?.remove(chip.id)
@@ -164,10 +158,7 @@ export function createPile(
       pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
     },
 
-    /**
-     * Releases the chips anew that have left a stage without gravity by the top, where they would float for
-     * good.
-     */
+    /** Releases chips anew that float above a stage without gravity, where they would stay for good. */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
       if (settings.gravity || recovered) return

@@ -11,10 +11,7 @@ const LONGEST_SETTLING = 20
 /** s that the first release waits at most until it is known how its chips will lie. */
 const HEAD_START = 0.25
 
-/**
- * Begins drops, and computes between frames, slice by slice, how chips will lie, or the pile that lies there
- * from the start.
- */
+/** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */
 export function createPlan(
   context: Context,
   queue: ReleaseQueue,

@@ -9,10 +9,7 @@ import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
 import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
 
-/**
- * ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip and no longer
- * scrolls the page.
- */
+/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip. */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
 
@@ -88,10 +85,7 @@ export function createPointers(
   /** Ends the listeners that follow pointers while one is down. */
   let pressing: AbortController | undefined
 
-  /**
-   * Follows the pointers that are down, wherever they go. While none is, nobody listens to moves and scrolls
-   * of the page.
-   */
+  /** Follows pointers that are down. While none is, nobody listens to moves and scrolls of the page. */
   function listenToPointers() {
     pressing = new AbortController()
     const on = listenUntil(pressing)
@@ -106,10 +100,7 @@ export function createPointers(
 
   const holds = () => root.querySelector('[data-state=held]')
 
-  /**
-   * No finger scrolls the page while a chip is held: the browser would take all fingers for that, and the
-   * chip would fall.
-   */
+  /** No finger scrolls while a chip is held: the browser would take all fingers, and the chip would fall. */
   function scroll(event: TouchEvent) {
     if (event.cancelable && holds()) event.preventDefault()
   }

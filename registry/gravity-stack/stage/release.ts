@@ -5,19 +5,13 @@ import type { World } from '../solver/world'
 // uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
 // times moves it to another step.
 
-/**
- * Share of the width between one release and the next, 1/φ. Any number of releases in a row covers the stage
- * evenly.
- */
+/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly. */
 const GOLDEN_SHARE = 0.6180339887498949
 /** The farthest that a release strays from its place, as a share of the width. */
 const STRAY = 0.05
 /** s, the longest time that a release comes late. */
 const LATE = 0.12
-/**
- * px between the top edge of the stage and the lower edge of a chip: the least, and the most that is added to
- * it.
- */
+/** px between a chip and the top edge of the stage: the least, and the most that is added to it. */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
 /** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
@@ -26,10 +20,7 @@ const TILT = 0.25
 const DRIFT = 40
 /** rad/s, the largest spin either way. */
 const TWIST = 1.2
-/**
- * px/s² below which gravity alone would not bring a chip into view, and px/s that the chip starts with
- * instead.
- */
+/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead. */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
@@ -41,28 +32,19 @@ export function scatter(index: number, channel: number): number {
   return (n * n * GOLDEN_SHARE) % 1
 }
 
-/**
- * s, time of the release with this index. `slot` is the earliest time, s; both count from the start of the
- * drop.
- */
+/** s since the drop began: time of the release with this index, at `slot` or a little later. */
 export function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
 }
 
-/**
- * px, distance of the corner of a box from its centre. √ gives the same bits in every engine, `Math.hypot`
- * does not.
- */
+/** px, from the centre of a box to its corners. Unlike `Math.hypot`, √ has the same bits in every engine. */
 export function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
 /** A body that is released into a world, and when. */
 export interface Release {
-  /**
-   * px: border box, corner radius, half the diagonal. The width is 0 before it is measured, and without a
-   * size.
-   */
+  /** px: border box, corner radius, half the diagonal. The width is 0 while the chip has no size. */
   width: number
   height: number
   radius: number

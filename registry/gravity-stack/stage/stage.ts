@@ -14,20 +14,14 @@ import { createReleaseQueue } from './release-queue'
 import { createSizes } from './sizes'
 import { createVisibility } from './visibility'
 
-/**
- * While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether
- * there is script.
- */
+/** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most. */
 const SHAKE = 230
 
 export type Stage = ReturnType<typeof createStage>
 
-/**
- * `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a
- * stage.
- */
+/** `pausing.current` is whether the caller has paused the stage, maybe before there is a stage. */
 export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const page = root.ownerDocument
   const view = page.defaultView as View
@@ -164,10 +158,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     /** To be called once the element is on the page, and again after `detach`. */
     attach: visibility.observe,
 
-    /**
-     * Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only
-     * hides.
-     */
+    /** Lets go of everything outside of the stage. The pile stays, as React only hides some components. */
     detach() {
       visibility.disconnect()
       update()

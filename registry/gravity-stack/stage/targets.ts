@@ -8,10 +8,7 @@ export const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that the browser draws over the page, outside of the chip that holds them. */
 const OVERLAY = ':is(dialog, [popover], :fullscreen)'
 
-/**
- * Whether an event is about an element of a kind inside the chip, in a shadow tree too. Elements around the
- * stage don't count.
- */
+/** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */
 export function isInside({ element }: Chip, event: Event, kind: string) {
   const path = event.composedPath() as Element[]
   return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
@@ -23,10 +20,7 @@ export function chipUnder(event: Event, chips: Map<Element, Chip>) {
   return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
 }
 
-/**
- * Whether a press is on a scroll bar, outside of what its target shows of its content: events don't mention
- * scroll bars.
- */
+/** Whether a press is on a scroll bar, outside of the content that its target shows. */
 export function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
   const { clientWidth, clientHeight } = target as Element
   const onContent = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight

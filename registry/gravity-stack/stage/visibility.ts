@@ -1,10 +1,7 @@
 import type { Context } from './context'
 import { warn } from './props'
 
-/**
- * Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at
- * once.
- */
+/** Share of the stage in view that starts the drop; or, if it is large, share of what fits into view. */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
 /** ms until a stage that a transform has scaled to nothing is checked again. */
@@ -15,10 +12,7 @@ function above(node: Element): Element | null | undefined {
   return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
-/**
- * px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls
- * in.
- */
+/** px², the largest part of the stage that fits into the window and the elements that it scrolls in. */
 function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
   const { body, defaultView } = root.ownerDocument
   // A frame of another site has no root bounds. To a frame of the same site they are those of the page around
