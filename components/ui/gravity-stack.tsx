@@ -2708,19 +2708,13 @@ function size(value: number): number {
 // uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
 // times moves it to another step.
 
-/**
- * Share of the width between one release and the next, 1/φ. Any number of releases in a row covers the stage
- * evenly.
- */
+/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly. */
 const GOLDEN_SHARE = 0.6180339887498949
 /** The farthest that a release strays from its place, as a share of the width. */
 const STRAY = 0.05
 /** s, the longest time that a release comes late. */
 const LATE = 0.12
-/**
- * px between the top edge of the stage and the lower edge of a chip: the least, and the most that is added to
- * it.
- */
+/** px between a chip and the top edge of the stage: the least, and the most that is added to it. */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
 /** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
@@ -2729,10 +2723,7 @@ const TILT = 0.25
 const DRIFT = 40
 /** rad/s, the largest spin either way. */
 const TWIST = 1.2
-/**
- * px/s² below which gravity alone would not bring a chip into view, and px/s that the chip starts with
- * instead.
- */
+/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead. */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
@@ -2744,28 +2735,19 @@ function scatter(index: number, channel: number): number {
   return (n * n * GOLDEN_SHARE) % 1
 }
 
-/**
- * s, time of the release with this index. `slot` is the earliest time, s; both count from the start of the
- * drop.
- */
+/** s since the drop began: time of the release with this index, at `slot` or a little later. */
 function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
 }
 
-/**
- * px, distance of the corner of a box from its centre. √ gives the same bits in every engine, `Math.hypot`
- * does not.
- */
+/** px, from the centre of a box to its corners. Unlike `Math.hypot`, √ has the same bits in every engine. */
 function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
 
 /** A body that is released into a world, and when. */
 interface Release {
-  /**
-   * px: border box, corner radius, half the diagonal. The width is 0 before it is measured, and without a
-   * size.
-   */
+  /** px: border box, corner radius, half the diagonal. The width is 0 while the chip has no size. */
   width: number
   height: number
   radius: number
@@ -2847,10 +2829,7 @@ function addReleased<T extends Release>(
 
 /** px/s², the least gravity that launches are computed for. */
 const LEAST_GRAVITY = 100
-/**
- * Largest share of a launch's speed that goes sideways. With twice as much, a third of 15 shaken chips land
- * on their heads.
- */
+/** Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down. */
 const SIDEWAYS = 0.15
 
 /**
@@ -2991,10 +2970,7 @@ function createChildren(root: HTMLElement) {
     /** The chips in the order of the child elements. */
     inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
 
-    /**
-     * Brings the chips in line with the child elements: calls `add` with each new one, returns those that are
-     * gone.
-     */
+    /** Calls `add` with a chip for each new child element; returns the chips whose elements are gone. */
     collect(add: (chip: Chip) => void) {
       // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would
       // never load.
@@ -3126,10 +3102,7 @@ type ReleaseQueue = ReturnType<typeof createReleaseQueue>
 // lie. Equal steps give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its
 // body looks the same after half a turn.
 
-/**
- * s that the copy goes ahead. Of 60 words 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s; discs
- * roll for longer.
- */
+/** s that the copy goes ahead. Of 60 words, 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
 const FORESIGHT = 6
 /** ms, how long one slice of the work takes. */
 const SLICE = 4
@@ -3313,10 +3286,7 @@ interface Context {
 
 // stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
 
-/**
- * Share of the stage in view that starts the drop; for a larger stage, share of what can be seen of it at
- * once.
- */
+/** Share of the stage in view that starts the drop; or, if it is large, share of what fits into view. */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
 /** ms until a stage that a transform has scaled to nothing is checked again. */
@@ -3327,10 +3297,7 @@ function above(node: Element): Element | null | undefined {
   return node.parentElement ?? (node.getRootNode() as Partial<ShadowRoot>).host
 }
 
-/**
- * px², the largest part of the stage that can be seen at once, in the window and in what the stage scrolls
- * in.
- */
+/** px², the largest part of the stage that fits into the window and the elements that it scrolls in. */
 function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: IntersectionObserverEntry) {
   const { body, defaultView } = root.ownerDocument
   // A frame of another site has no root bounds. To a frame of the same site they are those of the page around
@@ -3523,10 +3490,7 @@ function createPile(
     if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
   }
 
-  /**
-   * Turns a chip so that it will lie upright, in the last frame in which it is sure to be above the stage,
-   * out of sight.
-   */
+  /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
     const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
     if (y + chip.reach + fall < 0) return
@@ -3575,10 +3539,7 @@ function createPile(
       chip.x = Number.NaN
     },
 
-    /**
-     * Takes a chip out of the world or the queue; returns whether it was in the queue, so that others are to
-     * move up.
-     */
+    /** Takes a chip out of the world or the queue; returns whether it was in the queue. */
     withdraw(chip: Chip) {
       const waited = queue.remove(chip)
       pile.world?.remove(chip.id)
@@ -3636,10 +3597,7 @@ function createPile(
       pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
     },
 
-    /**
-     * Releases the chips anew that have left a stage without gravity by the top, where they would float for
-     * good.
-     */
+    /** Releases chips anew that float above a stage without gravity, where they would stay for good. */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
       if (settings.gravity || recovered) return
@@ -3677,10 +3635,7 @@ const LONGEST_SETTLING = 20
 /** s that the first release waits at most until it is known how its chips will lie. */
 const HEAD_START = 0.25
 
-/**
- * Begins drops, and computes between frames, slice by slice, how chips will lie, or the pile that lies there
- * from the start.
- */
+/** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */
 function createPlan(
   context: Context,
   queue: ReleaseQueue,
@@ -3863,10 +3818,7 @@ function stop(event: Event) {
 
 // stage/focus: the chip that has the focus ──────────────────────────────────────────────────────────────────
 
-/**
- * Brings the chip that has the focus to the front and into view; calls `hurry` when that chip waits for its
- * release.
- */
+/** Brings the chip with the focus to the front and into view; calls `hurry` if it waits for its release. */
 function createFocus(
   { root, view, still, pausing, update }: Context,
   { chipAt }: Children,
@@ -3909,10 +3861,7 @@ function createFocus(
       update()
     },
 
-    /**
-     * Does what is to do for the element that has the focus already, in the page or in the stage's shadow
-     * tree.
-     */
+    /** An event's target for the element that has the focus, in the page or the shadow tree. */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
     /** In a paused stage, where no time passes, puts a chip where it can be seen. */
@@ -4006,10 +3955,7 @@ function createLifecycle(
     if (settled && settings.onSettle) queueMicrotask(settings.onSettle)
   }
 
-  /**
-   * Warns at rest and not before: a stage that opens by and by is small at first. Its class keeps a chip a
-   * pixel narrower.
-   */
+  /** Warns only at rest, as a stage that opens is small at first. CSS keeps a chip a pixel narrower. */
   function warnOfLargeChips() {
     const { width, height } = context
     chips.forEach((chip) => {
@@ -4060,10 +4006,7 @@ const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
 /** Elements that the browser draws over the page, outside of the chip that holds them. */
 const OVERLAY = ':is(dialog, [popover], :fullscreen)'
 
-/**
- * Whether an event is about an element of a kind inside the chip, in a shadow tree too. Elements around the
- * stage don't count.
- */
+/** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */
 function isInside({ element }: Chip, event: Event, kind: string) {
   const path = event.composedPath() as Element[]
   return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
@@ -4075,10 +4018,7 @@ function chipUnder(event: Event, chips: Map<Element, Chip>) {
   return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
 }
 
-/**
- * Whether a press is on a scroll bar, outside of what its target shows of its content: events don't mention
- * scroll bars.
- */
+/** Whether a press is on a scroll bar, outside of the content that its target shows. */
 function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
   const { clientWidth, clientHeight } = target as Element
   const onContent = offsetX >= 0 && offsetY >= 0 && offsetX < clientWidth && offsetY < clientHeight
@@ -4136,10 +4076,7 @@ type Clicks = ReturnType<typeof createClicks>
 
 // stage/pointers: presses and drags ─────────────────────────────────────────────────────────────────────────
 
-/**
- * ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip and no longer
- * scrolls the page.
- */
+/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip. */
 const TOUCH_HOLD = 180
 const TOUCH_DRAG_START = 8
 
@@ -4215,10 +4152,7 @@ function createPointers(
   /** Ends the listeners that follow pointers while one is down. */
   let pressing: AbortController | undefined
 
-  /**
-   * Follows the pointers that are down, wherever they go. While none is, nobody listens to moves and scrolls
-   * of the page.
-   */
+  /** Follows pointers that are down. While none is, nobody listens to moves and scrolls of the page. */
   function listenToPointers() {
     pressing = new AbortController()
     const on = listenUntil(pressing)
@@ -4233,10 +4167,7 @@ function createPointers(
 
   const holds = () => root.querySelector('[data-state=held]')
 
-  /**
-   * No finger scrolls the page while a chip is held: the browser would take all fingers for that, and the
-   * chip would fall.
-   */
+  /** No finger scrolls while a chip is held: the browser would take all fingers, and the chip would fall. */
   function scroll(event: TouchEvent) {
     if (event.cancelable && holds()) event.preventDefault()
   }
@@ -4384,20 +4315,14 @@ function createPointers(
 
 // stage/stage: the parts, wired together ────────────────────────────────────────────────────────────────────
 
-/**
- * While one of these holds, the chips stand in a row, by CSS alone. The query in the markup also asks whether
- * there is script.
- */
+/** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most. */
 const SHAKE = 230
 
 type Stage = ReturnType<typeof createStage>
 
-/**
- * `pausing.current` is whether the caller has paused the stage, which may be asked for before there is a
- * stage.
- */
+/** `pausing.current` is whether the caller has paused the stage, maybe before there is a stage. */
 function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const page = root.ownerDocument
   const view = page.defaultView as View
@@ -4534,10 +4459,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     /** To be called once the element is on the page, and again after `detach`. */
     attach: visibility.observe,
 
-    /**
-     * Lets go of everything outside of the stage. The pile stays: React ends the effects of what it only
-     * hides.
-     */
+    /** Lets go of everything outside of the stage. The pile stays, as React only hides some components. */
     detach() {
       visibility.disconnect()
       update()
@@ -4565,10 +4487,7 @@ export interface GravityStackActions {
   resume: () => void
 }
 
-/**
- * A number out of range counts as the nearest in range; what is no number counts as left out. A warning says
- * so in development.
- */
+/** A number out of range counts as the nearest in range, no number as left out; a warning says so. */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
    * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
@@ -4623,10 +4542,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
 /** Holds a text or a portal, so that React gives it a key by its place among the children. */
 const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
 
-/**
- * React's wrapper of a child that has not arrived, such as an async server component: `_init` throws a
- * promise until then.
- */
+/** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
 /** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */
