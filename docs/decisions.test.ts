@@ -88,3 +88,30 @@ test('every number of the solver cites a record that names it', () => {
   }
   expect(unexplained).toEqual([])
 })
+
+const architecture = read('ARCHITECTURE.md')
+const answers = [
+  ...architecture.split('## Where does X happen')[1].matchAll(/^\| (?!-|question)(.+?) +\| (.+?) +\|$/gm),
+]
+
+test('ARCHITECTURE.md is short', () => {
+  expect(answers.length).toBeGreaterThan(8)
+  expect(architecture.split('\n').length).toBeLessThanOrEqual(150)
+})
+
+for (const [, question, answer] of answers) {
+  test(`ARCHITECTURE.md says where to look in at most two files: ${question}`, () => {
+    const folder = answer.match(/(solver|stage)\//)?.[0] ?? ''
+    const [files, names] = [/\.tsx?$/, /^[\w.]+(?<!\.tsx?)$/].map((kind) =>
+      quoted(answer).filter((text) => kind.test(text)),
+    )
+    expect(files.length).toBeGreaterThan(0)
+    expect(files.length).toBeLessThanOrEqual(2)
+    const texts = files.map((file) => {
+      const path = `registry/gravity-stack/${file}`
+      return sources.get(path) ?? sources.get(`registry/gravity-stack/${folder}${file}`) ?? `no ${file}`
+    })
+    expect(texts.filter((text) => text.startsWith('no '))).toEqual([])
+    expect(names.filter((name) => !texts.some((text) => text.includes(name)))).toEqual([])
+  })
+}
