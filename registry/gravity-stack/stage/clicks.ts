@@ -5,7 +5,7 @@ import { CAPTURE, type Listen, stop } from './listeners'
 import type { StagePile } from './pile'
 import { CONTROL, chipUnder, isInside } from './targets'
 
-/** px, how high a tapped chip hops. */
+/** px, how high a tapped chip hops (D-002). */
 const HOP = 36
 
 /** Clicks on the chips of a stage: a tap lets its chip hop, and the click that ends a drag is stopped. */

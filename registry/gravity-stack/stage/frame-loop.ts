@@ -1,7 +1,7 @@
 import { cancelFrame, frame } from 'motion'
 import type { View } from './context'
 
-/** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was. */
+/** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was (D-065). */
 export const LONGEST_FRAME = 0.05
 
 /** Calls `tick` in every frame of a window from `run` on, with the seconds since the frame before. */

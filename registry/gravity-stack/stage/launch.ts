@@ -1,9 +1,12 @@
 import { ANGULAR_DAMPING } from '../solver/constants'
 import { scatter } from './release'
 
-/** px/s², the least gravity that launches are computed for. */
+/** px/s², the least gravity that launches are computed for (D-002). */
 const LEAST_GRAVITY = 100
-/** Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down. */
+/**
+ * Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down
+ * (D-002).
+ */
 const SIDEWAYS = 0.15
 
 /**

@@ -6,9 +6,11 @@ import { addReleased, type Pile, type Release } from './release'
 // lie. Equal steps give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its
 // body looks the same after half a turn.
 
-/** s that the copy goes ahead. Of 60 words, 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
+/**
+ * s that the copy goes ahead. Of 60 words, 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s (D-001).
+ */
 const FORESIGHT = 6
-/** ms, how long one slice of the work takes. */
+/** ms, how long one slice of the work takes (D-001). */
 export const SLICE = 4
 
 type Outline = Pick<Release, 'width' | 'height' | 'radius'>

@@ -8,7 +8,8 @@ import { addReleased, reach } from './release'
 import type { ReleaseQueue } from './release-queue'
 
 /**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding.
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
+ * (D-062).
  */
 const VISIBLE = 0.0121
 

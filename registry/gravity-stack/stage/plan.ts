@@ -6,9 +6,9 @@ import type { StagePile } from './pile'
 import type { ReleaseQueue } from './release-queue'
 import type { Visibility } from './visibility'
 
-/** s after the last release that a pile which lies there from the start is given to come to rest. */
+/** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
 const LONGEST_SETTLING = 20
-/** s that the first release waits at most until it is known how its chips will lie. */
+/** s that the first release waits at most until it is known how its chips will lie (D-001). */
 const HEAD_START = 0.25
 
 /** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */

@@ -9,13 +9,13 @@ import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
 import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
 
-/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip. */
+/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip (D-066). */
 export const TOUCH_HOLD = 180
 export const TOUCH_DRAG_START = 8
 
-/** Scale at which a held chip is drawn. */
+/** Scale at which a held chip is drawn (D-066). */
 const HELD_SCALE = 0.97
-/** px that a mouse moves before a press is a drag. */
+/** px that a mouse moves before a press is a drag (D-066). */
 const DRAG_START = 4
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {

@@ -5,22 +5,22 @@ import type { World } from '../solver/world'
 // uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
 // times moves it to another step.
 
-/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly. */
+/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly (D-063). */
 const GOLDEN_SHARE = 0.6180339887498949
-/** The farthest that a release strays from its place, as a share of the width. */
+/** The farthest that a release strays from its place, as a share of the width (D-063). */
 const STRAY = 0.05
-/** s, the longest time that a release comes late. */
+/** s, the longest time that a release comes late (D-063). */
 const LATE = 0.12
-/** px between a chip and the top edge of the stage: the least, and the most that is added to it. */
+/** px between a chip and the top edge of the stage: the least, and the most that is added to it (D-063). */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
-/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
+/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4 (D-063). */
 const TILT = 0.25
-/** px/s, the largest speed to either side. */
+/** px/s, the largest speed to either side (D-063). */
 const DRIFT = 40
-/** rad/s, the largest spin either way. */
+/** rad/s, the largest spin either way (D-063). */
 const TWIST = 1.2
-/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead. */
+/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead (D-063). */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 

@@ -16,7 +16,7 @@ import { createVisibility } from './visibility'
 
 /** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** px, how high a shake throws at most. */
+/** px, how high a shake throws at most (D-002). */
 const SHAKE = 230
 
 export type Stage = ReturnType<typeof createStage>

@@ -1,11 +1,11 @@
 import type { Chip } from './chip'
 
-/** Elements that use presses themselves, so that no drag of their chip begins there. */
+/** Elements that use presses themselves, so that no drag of their chip begins there (D-066). */
 export const EDITABLE =
   'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
-/** Elements that use clicks themselves, so that their chip does not hop. */
+/** Elements that use clicks themselves, so that their chip does not hop (D-066). */
 export const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that the browser draws over the page, outside of the chip that holds them. */
+/** Elements that the browser draws over the page, outside of the chip that holds them (D-066). */
 const OVERLAY = ':is(dialog, [popover], :fullscreen)'
 
 /** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */

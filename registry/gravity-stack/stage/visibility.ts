@@ -1,10 +1,12 @@
 import type { Context } from './context'
 import { warn } from './props'
 
-/** Share of the stage in view that starts the drop; or, if it is large, share of what fits into view. */
+/**
+ * Share of the stage in view that starts the drop; or, if it is large, share of what fits into view (D-064).
+ */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
-/** ms until a stage that a transform has scaled to nothing is checked again. */
+/** ms until a stage that a transform has scaled to nothing is checked again (D-064). */
 const CHECK_AGAIN = 200
 
 /** The element around another, outside of a shadow tree too. */
