@@ -2708,22 +2708,22 @@ function size(value: number): number {
 // uses + − × ÷ √ alone, and a release falls in the middle of a step of the world, where no rounding of frame
 // times moves it to another step.
 
-/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly. */
+/** Share of the width between two releases, 1/φ. Any releases in a row cover the stage evenly (D-063). */
 const GOLDEN_SHARE = 0.6180339887498949
-/** The farthest that a release strays from its place, as a share of the width. */
+/** The farthest that a release strays from its place, as a share of the width (D-063). */
 const STRAY = 0.05
-/** s, the longest time that a release comes late. */
+/** s, the longest time that a release comes late (D-063). */
 const LATE = 0.12
-/** px between a chip and the top edge of the stage: the least, and the most that is added to it. */
+/** px between a chip and the top edge of the stage: the least, and the most that is added to it (D-063). */
 const CLEARANCE = 24
 const CLEARANCE_SCATTER = 120
-/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4. */
+/** rad, the largest tilt either way. `releasePose` takes its sine as 1/4 (D-063). */
 const TILT = 0.25
-/** px/s, the largest speed to either side. */
+/** px/s, the largest speed to either side (D-063). */
 const DRIFT = 40
-/** rad/s, the largest spin either way. */
+/** rad/s, the largest spin either way (D-063). */
 const TWIST = 1.2
-/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead. */
+/** px/s² below which gravity brings no chip into view, and px/s with which a chip starts instead (D-063). */
 const FAINT_GRAVITY = 100
 const FAINT_SPEED = 240
 
@@ -2827,9 +2827,12 @@ function addReleased<T extends Release>(
 
 // stage/launch: hops and shakes ─────────────────────────────────────────────────────────────────────────────
 
-/** px/s², the least gravity that launches are computed for. */
+/** px/s², the least gravity that launches are computed for (D-002). */
 const LEAST_GRAVITY = 100
-/** Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down. */
+/**
+ * Largest sideways share of a launch's speed. With twice as much, 5 of 15 shaken chips end upside down
+ * (D-002).
+ */
 const SIDEWAYS = 0.15
 
 /**
@@ -3102,9 +3105,11 @@ type ReleaseQueue = ReturnType<typeof createReleaseQueue>
 // lie. Equal steps give equal bits, so the forecast is exact. Each chip is drawn turned from the start: its
 // body looks the same after half a turn.
 
-/** s that the copy goes ahead. Of 60 words, 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s. */
+/**
+ * s that the copy goes ahead. Of 60 words, 5 % end upside down with 1 s, 2 % with 2 s, 1 % with 3 s (D-001).
+ */
 const FORESIGHT = 6
-/** ms, how long one slice of the work takes. */
+/** ms, how long one slice of the work takes (D-001). */
 const SLICE = 4
 
 type Outline = Pick<Release, 'width' | 'height' | 'radius'>
@@ -3286,10 +3291,12 @@ interface Context {
 
 // stage/visibility: what of a stage is in view ──────────────────────────────────────────────────────────────
 
-/** Share of the stage in view that starts the drop; or, if it is large, share of what fits into view. */
+/**
+ * Share of the stage in view that starts the drop; or, if it is large, share of what fits into view (D-064).
+ */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
-/** ms until a stage that a transform has scaled to nothing is checked again. */
+/** ms until a stage that a transform has scaled to nothing is checked again (D-064). */
 const CHECK_AGAIN = 200
 
 /** The element around another, outside of a shadow tree too. */
@@ -3386,7 +3393,7 @@ type Visibility = ReturnType<typeof createVisibility>
 
 // stage/frame-loop: a call in every frame ───────────────────────────────────────────────────────────────────
 
-/** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was. */
+/** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was (D-065). */
 const LONGEST_FRAME = 0.05
 
 /** Calls `tick` in every frame of a window from `run` on, with the seconds since the frame before. */
@@ -3447,7 +3454,8 @@ function createFrameLoop(view: View, tick: (seconds: number) => void) {
 // stage/pile: the chips in their world ──────────────────────────────────────────────────────────────────────
 
 /**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding.
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
+ * (D-062).
  */
 const VISIBLE = 0.0121
 
@@ -3630,9 +3638,9 @@ type StagePile = ReturnType<typeof createPile>
 
 // stage/plan: what is computed between frames ───────────────────────────────────────────────────────────────
 
-/** s after the last release that a pile which lies there from the start is given to come to rest. */
+/** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
 const LONGEST_SETTLING = 20
-/** s that the first release waits at most until it is known how its chips will lie. */
+/** s that the first release waits at most until it is known how its chips will lie (D-001). */
 const HEAD_START = 0.25
 
 /** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */
@@ -3998,12 +4006,12 @@ type Lifecycle = ReturnType<typeof createLifecycle>
 
 // stage/targets: what a press or a click is about ───────────────────────────────────────────────────────────
 
-/** Elements that use presses themselves, so that no drag of their chip begins there. */
+/** Elements that use presses themselves, so that no drag of their chip begins there (D-066). */
 const EDITABLE =
   'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
-/** Elements that use clicks themselves, so that their chip does not hop. */
+/** Elements that use clicks themselves, so that their chip does not hop (D-066). */
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that the browser draws over the page, outside of the chip that holds them. */
+/** Elements that the browser draws over the page, outside of the chip that holds them (D-066). */
 const OVERLAY = ':is(dialog, [popover], :fullscreen)'
 
 /** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */
@@ -4027,7 +4035,7 @@ function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
 
 // stage/clicks: taps, and the clicks that end drags ─────────────────────────────────────────────────────────
 
-/** px, how high a tapped chip hops. */
+/** px, how high a tapped chip hops (D-002). */
 const HOP = 36
 
 /** Clicks on the chips of a stage: a tap lets its chip hop, and the click that ends a drag is stopped. */
@@ -4076,13 +4084,13 @@ type Clicks = ReturnType<typeof createClicks>
 
 // stage/pointers: presses and drags ─────────────────────────────────────────────────────────────────────────
 
-/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip. */
+/** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip (D-066). */
 const TOUCH_HOLD = 180
 const TOUCH_DRAG_START = 8
 
-/** Scale at which a held chip is drawn. */
+/** Scale at which a held chip is drawn (D-066). */
 const HELD_SCALE = 0.97
-/** px that a mouse moves before a press is a drag. */
+/** px that a mouse moves before a press is a drag (D-066). */
 const DRAG_START = 4
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
@@ -4317,7 +4325,7 @@ function createPointers(
 
 /** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
 const STILL = 'print, (prefers-reduced-motion: reduce)'
-/** px, how high a shake throws at most. */
+/** px, how high a shake throws at most (D-002). */
 const SHAKE = 230
 
 type Stage = ReturnType<typeof createStage>
