@@ -1,8 +1,9 @@
 // Plays random scenes and looks for one in which something goes wrong that never may:
 //   npm run fuzz [-- --scenes 2000 --seed 1 --from 0 --check asleep --dry --accept --write]
-// The first failure of each check is shrunk to its smallest form and kept, named, in scenes/found.json, which the tests play.
-// --from starts at a later block of 2,000, --check looks at one property only, --dry keeps nothing,
-// --accept takes what the solver does today as what the tests hold it to. --write keeps how many scenes failed in
+// The first failure of each check is shrunk to its smallest form and kept, named, in scenes/found.json, which
+// the tests play.
+// --from starts at a later block of 2,000, --check looks at one property only, --dry keeps nothing.
+// --accept makes today's misses what the tests hold the solver to. --write keeps how many scenes failed in
 // bench/results/fuzz.json, which the docs read.
 import { readFileSync, writeFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'

@@ -1,6 +1,7 @@
 // Plays a pile of the playground again, from the address that “Copy this pile” gives.
 //   npx tsx bench/replay.ts LINK
-// It ends with an error where the pile comes out otherwise: by another version of the solver, or for a reason to look for.
+// It ends with an error where the pile comes out otherwise: by another version of the solver, or for a reason
+// to look for.
 import { createReplay } from '../components/lab/recorder'
 import { fromFragment } from '../lib/pile-link'
 import { version } from '../site.config.mjs'

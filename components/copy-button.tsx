@@ -11,8 +11,9 @@ async function textAt(path: string) {
 }
 
 /**
- * Copies what `text` gives, or what stands at the address `from` of this site, or else the code in the same `.code` box. The words
- * beside the icon are there when `children` are. A `label` that says more than they do contains them.
+ * Copies what `text` gives, or what stands at the address `from` of this site, or else the code in the same
+ * `.code` box. The words beside the icon are there when `children` are. A `label` that says more than they do
+ * contains them.
  */
 export function CopyButton({
   text,

@@ -74,7 +74,10 @@ for (const [id, record] of records) {
   })
 }
 
-/** Constants of a module in capitals whose comment, or whose section's heading, cites no record that names them. */
+/**
+ * Constants of a module in capitals whose comment, or whose section's heading, cites no record that names
+ * them.
+ */
 function unexplained(path: string) {
   let heading = ''
   let comment = ''

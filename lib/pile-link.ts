@@ -72,7 +72,10 @@ const isNumbers = (values: unknown): values is number[] =>
 /** Numbers that follow the name of each act. */
 const lengths: Record<Act[1], number> = { resize: 2, reshape: 4, configure: 3, grab: 4, move: 4, release: 1 }
 
-/** Anyone may have written an address: a record is played only if every number is one, and every chip there is meant. */
+/**
+ * Anyone may have written an address: a record is played only if every number is one, and every chip there is
+ * meant.
+ */
 function isRecord(it: PileRecord): boolean {
   const numbers = ['width', 'height', 'gravity', 'bounce', 'friction', 'stagger', 'seed'] as const
   if (!it || typeof it.version !== 'string' || typeof it.hash !== 'string') return false

@@ -8,7 +8,10 @@ import { slowedBy } from './play'
 /** The engines whose slides the docs tell of. */
 export const slidingEngines = [ours, 'planck', 'box2d3-wasm', 'rapier', 'matter-js', 'p2-es']
 
-/** Slides of one scene in one engine at its default: how many were slowed by more than `bound`, and by how much at worst, px/s. */
+/**
+ * Slides of one scene in one engine at its default: how many were slowed by more than `bound`, and by how
+ * much at worst, px/s.
+ */
 export type SlideRow = {
   engine: string
   scene: string

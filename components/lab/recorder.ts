@@ -37,7 +37,9 @@ export type Player = {
 
 export type Recorder = ReturnType<typeof createRecorder>
 
-/** A pile that notes what is done to it. All of it passes here, so that nothing is done which is not noted. */
+/**
+ * A pile that notes what is done to it. All of it passes here, so that nothing is done which is not noted.
+ */
 export function createRecorder(version: string, options: Options, sizes: Shape[]) {
   const shapes = sizes.map(({ width, height, radius = 0 }): PileRecord['shapes'][number] => [
     width,

@@ -1,7 +1,9 @@
 import { useEffect, useState } from 'react'
 import { fromFragment, type PileRecord } from '@/lib/pile-link'
 
-/** The recorded pile that the address holds: `unread` before that is known, `broken` where it can't be played. */
+/**
+ * The recorded pile that the address holds: `unread` before that is known, `broken` where it can't be played.
+ */
 export function useLinkedPile() {
   const [linked, setLinked] = useState<PileRecord | 'unread' | 'broken' | undefined>('unread')
 

@@ -60,8 +60,8 @@ export function cellsOf({ value, unit, bound, late }: Row) {
 const comma = (count: number) => count.toLocaleString('en-US')
 
 /**
- * Rows of the checks of random scenes: what has to hold, misses of the first 2,000 scenes, which each change plays, and of the
- * long run, which takes too long to repeat with each change.
+ * Rows of the checks of random scenes: what has to hold, misses of the first 2,000 scenes, which each change
+ * plays, and of the long run, which takes too long to repeat with each change.
  */
 export function fuzzRows() {
   const asked: Partial<Record<string, number>> = fuzz.asked

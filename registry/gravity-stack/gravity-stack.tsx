@@ -212,7 +212,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
-          {/* In an array React asks each element for a key. Words alone are rendered anew after a translator has changed them. */}
+          {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
           {typeof child === 'object' ? [child] : child}
         </div>
       ))}

@@ -57,7 +57,7 @@ export function createSizes(
     if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
     if (process.env.NODE_ENV !== 'production')
       warn(
-        'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
+        'a chip has no size, so it waits. Give it content, or a width and a height, and it falls.',
       )
     chip.width = 0
     emptied(chip)
