@@ -3778,9 +3778,7 @@ function createSizes(
     // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
     if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
     if (process.env.NODE_ENV !== 'production')
-      warn(
-        'a chip has no size, so it can’t fall. It will once it has one: give it content, or width and height.',
-      )
+      warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
     chip.width = 0
     emptied(chip)
   }
@@ -4693,7 +4691,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
               'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
           )}
         >
-          {/* In an array React asks each element for a key. Words alone are rendered anew after a translator has changed them. */}
+          {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
           {typeof child === 'object' ? [child] : child}
         </div>
       ))}
