@@ -1,9 +1,9 @@
 // Prints how the solver bears the scenes that break solvers, each figure beside its bound.
 //   npx tsx bench/stability.ts [--scene part,of,names] [--seeds 20] [--each] [--write]
 //   npx tsx bench/stability.ts --scene seams --engine planck,rapier
-// --each prints every seed. --write keeps the figures for the docs in bench/results: stability.json, slides.json.
-// --engine plays the scenes in which a chip slides with other engines, at their defaults, and prints by how much
-// it is slowed.
+// --each prints every seed. --write keeps stability.json and slides.json in bench/results.
+// --engine plays the scenes in which a chip slides with other engines at their defaults, and prints how much
+// slower it gets.
 import { writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { parseArgs } from 'node:util'

@@ -56,9 +56,7 @@ export function createSizes(
     // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
     if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
     if (process.env.NODE_ENV !== 'production')
-      warn(
-        'a chip has no size, so it waits. Give it content, or a width and a height, and it falls.',
-      )
+      warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
     chip.width = 0
     emptied(chip)
   }
