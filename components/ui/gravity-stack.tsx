@@ -2740,7 +2740,7 @@ function releaseTime(index: number, slot: number): number {
   return (Math.floor((slot + LATE * scatter(index, 0)) / STEP) + 0.5) * STEP
 }
 
-/** px, from the centre of a box to its corners. Unlike `Math.hypot`, √ has the same bits in every engine. */
+/** px, from the centre of a box to its corners. A square root has the same bits in every engine. */
 function reach(width: number, height: number) {
   return Math.sqrt(width * width + height * height) / 2
 }
