@@ -17,7 +17,7 @@ const sources = new Map(
     encoding: 'utf8',
   })
     .split('\n')
-    .filter((path) => /\.(tsx?|mjs|mdx?|css)$/.test(path) && !path.startsWith('public/'))
+    .filter((path) => /\.(tsx?|mjs|mdx?|css|json)$/.test(path) && !path.startsWith('public/'))
     .filter((path) => existsSync(join(root, path)))
     .map((path) => [path, read(path)]),
 )
@@ -129,3 +129,14 @@ for (const [, question, answer] of answers) {
     expect(names.filter((name) => !texts.some((text) => text.includes(name)))).toEqual([])
   })
 }
+
+test('CONTRIBUTING.md names every file of figures, and commands that exist', () => {
+  const contributing = read('CONTRIBUTING.md')
+  const kept = [
+    ...readdirSync(join(root, 'bench/results')),
+    ...paths.filter((path) => /(bounds|accepted|found|pins)\.json$/.test(path)),
+  ]
+  expect(kept.filter((name) => !contributing.includes(name))).toEqual([])
+  const commands = quoted(contributing).filter((text) => /^(npm run|npx tsx) /.test(text))
+  expect(commands.flatMap((command) => missing(command.split(' && ')[0]))).toEqual([])
+})
