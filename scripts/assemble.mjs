@@ -56,6 +56,8 @@ const headings = {
   'stage/targets': 'what a press or a click is about',
   'stage/clicks': 'taps, and the clicks that end drags',
   'stage/pointers': 'presses and drags',
+  'stage/hover': 'the way of a pointer over the stage',
+  'stage/obstacles': 'elements that chips land on',
   'stage/stage': 'the parts, wired together',
   'gravity-stack': 'the React component',
 }

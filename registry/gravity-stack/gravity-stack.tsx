@@ -22,10 +22,26 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Downward acceleration, px/s².
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to 20,000. Chips come
+   * in from above whatever it is.
    * @default 2600
    */
-  gravity?: number | undefined
+  gravity?: number | { x: number; y: number } | undefined
+  /**
+   * Closes the top for what has come in. Gravity that points up closes it by itself.
+   * @default false
+   */
+  ceiling?: boolean | undefined
+  /**
+   * Radius, px, of a disc that a mouse or a pen over the stage shoves chips aside with as it moves.
+   * @default 0
+   */
+  push?: number | undefined
+  /**
+   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage. Children with the
+   * attribute `data-static` are obstacles too, and stay where their own CSS puts them.
+   */
+  obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
   /**
    * Restitution: the share of its speed that a chip keeps when it bounces.
    * @default 0.18
@@ -95,6 +111,14 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   })
 }
 
+/** Whether a child stays where its own CSS puts it. */
+function isObstacle(child: React.ReactNode) {
+  return (
+    React.isValidElement<{ 'data-static'?: unknown }>(child) &&
+    (child.props['data-static'] ?? false) !== false
+  )
+}
+
 // @refresh reset: in development, an edit anywhere in this file drops the chips again.
 
 /**
@@ -108,6 +132,9 @@ export const GravityStack: React.ForwardRefExoticComponent<
   {
     children,
     gravity,
+    ceiling = false,
+    push,
+    obstacles,
     bounce,
     stagger,
     interactive = true,
@@ -139,6 +166,9 @@ export const GravityStack: React.ForwardRefExoticComponent<
   React.useEffect(() => {
     stage.current?.setProps({
       gravity,
+      ceiling,
+      push,
+      obstacles,
       bounce,
       friction,
       stagger,
@@ -185,37 +215,41 @@ export const GravityStack: React.ForwardRefExoticComponent<
         className,
       )}
     >
-      {chipsOf(children).map(([key, child]) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          data-state="waiting"
-          // Elements that a translator or an extension puts into mere words don't give the chip its shape.
-          data-words={typeof child === 'object' ? undefined : ''}
-          // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
-          // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
-          // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
-          // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
-          className={cn(
-            'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
-            // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
-            // would slow Chromium down.
-            '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
-            'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
-            'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
-            'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
-            !falls &&
-              'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
-            interactive &&
-              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
-          )}
-        >
-          {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
-          {typeof child === 'object' ? [child] : child}
-        </div>
-      ))}
+      {chipsOf(children).map(([key, child]) =>
+        isObstacle(child) ? (
+          <React.Fragment key={key}>{child}</React.Fragment>
+        ) : (
+          <div
+            key={key}
+            data-slot="gravity-stack-chip"
+            data-state="waiting"
+            // Elements that a translator or an extension puts into mere words don't give the chip its shape.
+            data-words={typeof child === 'object' ? undefined : ''}
+            // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
+            // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+            // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
+            // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
+            className={cn(
+              'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
+              // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
+              // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
+              // would slow Chromium down.
+              '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
+              'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
+              'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+              'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
+              '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+              !falls &&
+                'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
+              interactive &&
+                'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+            )}
+          >
+            {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
+            {typeof child === 'object' ? [child] : child}
+          </div>
+        ),
+      )}
     </div>
   )
 })

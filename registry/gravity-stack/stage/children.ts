@@ -23,7 +23,7 @@ export function createChildren(root: HTMLElement) {
       for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
         lazy.setAttribute('loading', 'eager')
       for (const element of Array.from(root.children) as HTMLElement[]) {
-        if (chips.has(element) || !element.hasAttribute('data-slot')) continue
+        if (chips.has(element) || !element.matches('[data-slot]:not([data-static])')) continue
         const chip = {
           element,
           state: 'waiting',

@@ -54,7 +54,7 @@ export function createPile(
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
-    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
+    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.pull)
     if (y + chip.reach + fall < 0) return
     chip.turned = true
     // Before a chip is first drawn it is out of sight as well.
@@ -97,7 +97,12 @@ export function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased({ world: pile.world!, chips: pile.chips }, chip, context.width, settings.gravity)
+      chip.id = addReleased(
+        { world: pile.world!, chips: pile.chips },
+        chip,
+        context.width,
+        settings.gravity.y,
+      )
       chip.x = Number.NaN
     },
 
@@ -153,16 +158,16 @@ export function createPile(
       return pile.world!.grab(chip.id, x + offX, y + offY)
     },
 
-    /** Sends a chip about `height` px up. */
+    /** Sends a chip about `height` px up, which is against gravity. */
     launch(chip: Chip, height: number) {
       pile.touch()
-      pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
+      pile.world!.place(chip.id, launchMotion(launches++, height, settings, chip.angle))
     },
 
-    /** Releases chips anew that float above a stage without gravity, where they would stay for good. */
+    /** Releases chips anew that lie above a stage whose gravity would not bring them back. */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
-      if (settings.gravity || recovered) return
+      if (settings.gravity.y > Math.abs(settings.gravity.x) || recovered) return
       recovered = true
       pile.chips.forEach((chip) => {
         if (chip.y < -chip.reach) {

@@ -28,7 +28,7 @@ export function createPlan(
     if (!enabled) return
     if (plan.settling) return settle()
     if (
-      !lookAhead.advance({ world: pile.world!, chips: pile.chips }, queue, context.width, settings.gravity)
+      !lookAhead.advance({ world: pile.world!, chips: pile.chips }, queue, context.width, settings.gravity.y)
     ) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()

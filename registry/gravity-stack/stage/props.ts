@@ -1,4 +1,5 @@
 import { BOUNCE, FRICTION, GRAVITY } from '../solver/constants'
+import type { Vector } from '../solver/world'
 
 /** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
 export const LIMITS = {
@@ -6,11 +7,18 @@ export const LIMITS = {
   bounce: [BOUNCE, 1],
   friction: [FRICTION, 10],
   stagger: [150, 60000],
+  push: [0, 1000],
 } as const
+
+/** A ref, as React and callers make them. */
+type Target = { readonly current: Element | null }
 
 /** The props that a caller has given to the stage, unchecked. */
 export interface StageProps {
-  gravity?: number | undefined
+  gravity?: number | Vector | undefined
+  ceiling: boolean
+  push?: number | undefined
+  obstacles?: Target | Target[] | undefined
   bounce?: number | undefined
   friction?: number | undefined
   stagger?: number | undefined
@@ -22,7 +30,13 @@ export interface StageProps {
 }
 
 /** The props that hold: checked, and none left out. */
-export type Settings = StageProps & { [name in keyof typeof LIMITS]: number }
+export type Settings = Omit<StageProps, 'gravity'> & {
+  [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
+} & {
+  gravity: Vector
+  /** px/s², the length of `gravity`. */
+  pull: number
+}
 
 declare const process: { env: { NODE_ENV?: string } }
 
@@ -55,18 +69,41 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
+/** px/s² to the right and downwards: a number is downwards. */
+function checkedGravity(value: unknown): Vector {
+  const { x, y } = Object(value) as Vector
+  if (x === undefined && y === undefined) return { x: 0, y: checkedNumber('gravity', value) }
+  const [, most] = LIMITS.gravity
+  const part = (n: unknown) => (Number.isFinite(n) ? Math.min(Math.max(n as number, -most), most) : 0)
+  const vector = { x: part(x), y: part(y) }
+  if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
+    warn(
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, whose parts are no two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+    )
+  return vector
+}
+
 /** The settings that hold for what a caller gave. */
 export function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial'] as const) {
+  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
     settings[name] = !!given[name]
     if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
       warn(
         `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
       )
   }
-  for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[])
+  for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
+  const { x, y } = checkedGravity(given.gravity)
+  settings.gravity = { x, y }
+  settings.pull = Math.hypot(x, y)
+  // All that falls up would leave for good.
+  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
+    warn(
+      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
+    )
+  settings.ceiling ||= y < 0
   if (typeof given.onSettle !== 'function') {
     settings.onSettle = undefined
     // `ready && save` is how people leave a callback out.

@@ -61,6 +61,8 @@ export interface Obstacle {
   x: number
   y: number
   reach: number
+  /** px to its sides, if that is something else. */
+  halfWidth?: number
 }
 
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
@@ -84,7 +86,10 @@ export function releasePose(
   // has passed.
   obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
   for (const other of obstacles) {
-    if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
+    if (
+      Math.abs(other.x - x) < halfWidth + (other.halfWidth ?? other.reach) &&
+      Math.abs(other.y - y) < halfHeight + other.reach
+    )
       y = other.y - other.reach - halfHeight - 1
   }
   return {
@@ -114,6 +119,23 @@ export function addReleased<T extends Release>(
   chips.forEach(({ reach }, id) => {
     const { x, y } = world.read(id)
     if (y < reach) obstacles.push({ x, y, reach })
+  })
+  // Nothing starts in an obstacle.
+  const { alive, box, density } = world.scene.bodies
+  density.forEach((dense, i) => {
+    const [left, top, right, bottom] = Array.from(box.subarray(i * 4, i * 4 + 4)) as [
+      number,
+      number,
+      number,
+      number,
+    ]
+    if (dense === Infinity && alive[i])
+      obstacles.push({
+        x: (left + right) / 2,
+        y: (top + bottom) / 2,
+        reach: (bottom - top) / 2,
+        halfWidth: (right - left) / 2,
+      })
   })
   const { order, width, height, radius } = next
   const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)

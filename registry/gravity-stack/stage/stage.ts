@@ -3,9 +3,11 @@ import { type Chip, measureRadius } from './chip'
 import { createClicks } from './clicks'
 import type { Context, View } from './context'
 import { createFocus } from './focus'
+import { followHover } from './hover'
 import { createLifecycle } from './lifecycle'
 import { listenUntil } from './listeners'
 import { createLookAhead } from './look-ahead'
+import { createObstacles } from './obstacles'
 import { createPile } from './pile'
 import { createPlan } from './plan'
 import { createPointers } from './pointers'
@@ -65,14 +67,21 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
       // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
       if (appeared && !visibility.started) visibility.checkAgain()
       if (pile.world) pile.world.resize(context.width, context.height)
-      else plan.begin(children.inOrder())
+      else begin()
+      obstacles.measure()
     },
     // A chip may have got the focus before it had a size.
     done: () => focus.bringIn(children.chipAt(focus.active().target)),
   })
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
+  const obstacles = createObstacles(context, pile)
   const clicks = createClicks(context, children, pile, lifecycle)
   const pointers = createPointers(context, children, pile, focus, lifecycle, clicks)
+
+  function begin() {
+    plan.begin(children.inOrder())
+    obstacles.enter()
+  }
 
   function restyle(target: EventTarget | null) {
     const chip = children.chipAt(target)
@@ -87,6 +96,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     })
     gone.forEach(sizes.remove)
     withdraw(gone)
+    obstacles.find()
   }
 
   function withdraw(chips: Chip[]) {
@@ -109,15 +119,18 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     if (!settings.interactive) return
     pointers.listen(on)
     clicks.listen(on)
+    if (settings.push) followHover(on, context, pile, lifecycle)
   }
 
   /** Brings all in line with what is known. Every event ends here. */
   function update() {
     if (!listening) return
     // Asked here, as Chromium fires no event for a change that was read before: in a tab that is shown again.
-    if (sizes.watch(!still.matches) && !still.matches)
+    if (sizes.watch(!still.matches)) {
+      obstacles.find()
       // A chip that has the focus in the row does not wait for its release.
-      focus.on(focus.active())
+      if (!still.matches) focus.on(focus.active())
+    }
     lifecycle.update()
     if (!lifecycle.isLive()) pointers.letGo()
   }
@@ -130,10 +143,16 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
       queue.stagger = settings.stagger
-      if (listening && settings.interactive !== before.interactive) listen()
-      if (!pile.world) return
       const differs = (name: keyof Settings) => settings[name] !== before[name]
-      if (differs('gravity') || differs('bounce') || differs('friction')) pile.world.configure(settings)
+      if (listening) {
+        if (differs('interactive') || differs('push')) listen()
+        obstacles.find()
+      }
+      if (!pile.world) return
+      const { x, y } = settings.gravity
+      const turned = x !== before.gravity.x || y !== before.gravity.y
+      if (turned || differs('ceiling') || differs('bounce') || differs('friction'))
+        pile.world.configure(settings)
       if (differs('stagger')) queue.reschedule()
       update()
     },
@@ -143,7 +162,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
       pointers.letGo()
       pausing.current = false
       plan.show()
-      plan.begin(children.inOrder())
+      begin()
       update()
     },
 
@@ -167,6 +186,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
       listening = undefined
       plan.end()
       sizes.watch(false)
+      obstacles.stop()
       changes.disconnect()
     },
   }

@@ -6,6 +6,8 @@ import { warn } from './props'
  */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
+/** Thresholds at which an observer tells what share of an element is in view. */
+export const EVERY_PERCENT: number[] = Array.from({ length: 101 }, (_, i) => i / 100)
 /** ms until a stage that a transform has scaled to nothing is checked again (D-064). */
 const CHECK_AGAIN = 200
 
@@ -44,9 +46,10 @@ export function createVisibility({ root, view, update }: Context, approach: () =
     },
     { rootMargin: '100%' },
   )
-  // Of a very tall stage even a hundredth may be all that fits into the window.
-  const threshold = Array.from({ length: 101 }, (_, i) => i / 100)
-  const observer = new view.IntersectionObserver((entries) => entries.forEach(inspect), { threshold })
+  const observer = new view.IntersectionObserver((entries) => entries.forEach(inspect), {
+    // Of a very tall stage even a hundredth may be all that fits into the window.
+    threshold: EVERY_PERCENT,
+  })
 
   function inspect(entry: IntersectionObserverEntry) {
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
