@@ -22,8 +22,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to 20,000. Chips come
-   * in from above whatever it is.
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to
+   * 20,000. Chips come in from above whatever it is.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
@@ -38,8 +38,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   push?: number | undefined
   /**
-   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage. Children with the
-   * attribute `data-static` are obstacles too, and stay where their own CSS puts them.
+   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage.
+   * Children with the attribute `data-static` are obstacles too, and stay where their own CSS puts them.
    */
   obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
   /**
@@ -245,7 +245,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
                 'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
             )}
           >
-            {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
+            {/* React asks elements of an array for keys. Words alone are rendered anew after translation. */}
             {typeof child === 'object' ? [child] : child}
           </div>
         ),

@@ -4,7 +4,10 @@ import type { Listen } from './listeners'
 import type { StagePile } from './pile'
 import { pointerMap } from './pointers'
 
-/** s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out at once. */
+/**
+ * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
+ * at once.
+ */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
 

@@ -5,7 +5,10 @@ import { pointerMap } from './pointers'
 import { warn } from './props'
 import { EVERY_PERCENT } from './visibility'
 
-/** px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake no pile. */
+/**
+ * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
+ * no pile.
+ */
 const UNNOTICED = 0.04
 
 /** An element that chips land on. */
@@ -53,7 +56,10 @@ export function createObstacles({ root, view, still, pausing, settings, update }
     pile.draw()
   }
 
-  /** Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the element's own box. */
+  /**
+   * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
+   * element's own box.
+   */
   function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
     const { clientWidth, clientHeight } = root.ownerDocument.documentElement
     const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
