@@ -42,12 +42,14 @@ export function BlockFrame({
         className={`w-full bg-stage [@media(scripting:none)]:hidden ${className}`}
       />
       <noscript>
+        {/* Without script nothing keeps an example link from leading to a page that is not there. */}
         <iframe
           src={at(`/blocks/${name}`)}
           loading="lazy"
+          tabIndex={-1}
           title={title}
           style={style}
-          className={`w-full bg-stage ${className}`}
+          className={`pointer-events-none w-full bg-stage ${className}`}
         />
       </noscript>
     </>

@@ -17,8 +17,8 @@ const tints = [
 /** The end of a page: links first, then a line of words that piles up on the floor of the site. */
 export function GravityFooter() {
   return (
-    <footer className="bg-neutral-950 text-neutral-50">
-      <div className="mx-auto flex max-w-6xl flex-wrap justify-between gap-10 px-6 pt-14">
+    <footer className="flex flex-col bg-neutral-950 text-neutral-50">
+      <div className="mx-auto flex w-full max-w-6xl flex-wrap justify-between gap-10 px-6 pt-14">
         <div className="max-w-xs">
           <p className="font-semibold text-lg tracking-tight">Northwind Studio</p>
           <p className="mt-2 text-pretty text-neutral-400 text-sm">
@@ -42,8 +42,8 @@ export function GravityFooter() {
           ))}
         </nav>
       </div>
-      <p className="mx-auto max-w-6xl px-6 pt-10 text-neutral-400 text-sm">© Northwind Studio</p>
-      <GravityStack className="h-64" gravity={2000} bounce={0.3} stagger={90}>
+      <p className="mx-auto w-full max-w-6xl px-6 pt-10 text-neutral-400 text-sm">© Northwind Studio</p>
+      <GravityStack className="mt-auto h-64 shrink-0" gravity={2000} bounce={0.3} stagger={90}>
         {words.map((word, index) => (
           <span
             key={word}

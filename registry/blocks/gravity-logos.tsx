@@ -70,15 +70,15 @@ export function GravityLogos() {
   return (
     <section
       aria-labelledby="customers"
-      className="bg-neutral-50 pt-14 text-neutral-950 dark:bg-neutral-950 dark:text-neutral-50"
+      className="flex flex-col bg-neutral-50 pt-14 text-neutral-950 dark:bg-neutral-950 dark:text-neutral-50"
     >
-      <div className="px-6 text-center">
+      <div className="px-6 pb-4 text-center">
         <h2 id="customers" className="text-balance font-semibold text-3xl tracking-tight">
           Teams that plan with us
         </h2>
         <p className="mt-3 text-neutral-600 dark:text-neutral-400">Studios, ferries, bakeries and a bank.</p>
       </div>
-      <GravityStack className="mt-4 h-96" bounce={0.25} stagger={120}>
+      <GravityStack className="mt-auto h-96 shrink-0" bounce={0.25} stagger={120}>
         {customers.map(({ name, colours, logo, words }) =>
           words ? (
             <span key={name} className={`${plate} ${colours}`}>

@@ -33,7 +33,8 @@ const script = `(() => {
     follow()
     new MutationObserver(follow).observe(around, { attributeFilter: ['class'] })
   }
-  addEventListener('click', (event) => event.target.closest('a') && event.preventDefault())
+  for (const type of ['click', 'auxclick'])
+    addEventListener(type, (event) => event.target.closest('a') && event.preventDefault())
 })()`
 
 /** A block alone in its page, as it would stand in a page of its reader's. */
