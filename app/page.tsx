@@ -6,10 +6,12 @@ import { Hero } from '@/components/hero'
 import { ArrowIcon } from '@/components/icons'
 import { PageTools } from '@/components/page-tools'
 import { Site } from '@/components/site'
+import { UprightFlip } from '@/components/upright-flip'
 import { at } from '@/lib/address'
 import { blocks } from '@/lib/blocks'
-import { type Fact, facts, pitch, price, ways } from '@/lib/home'
-import { siteUrl } from '@/site.config.mjs'
+import { type Fact, facts, news, pitch, price, ways } from '@/lib/home'
+import { typeset } from '@/lib/typeset'
+import { siteUrl, version } from '@/site.config.mjs'
 
 export const metadata: Metadata = { alternates: { canonical: '/', types: { 'text/markdown': '/index.md' } } }
 
@@ -55,7 +57,35 @@ export default async function Home() {
             </div>
           </Hero>
         </div>
-        <dl className="mt-16 grid grid-cols-[minmax(0,1fr)] gap-x-10 gap-y-10 sm:grid-cols-2 lg:grid-cols-4">
+        <section
+          aria-labelledby="news"
+          className="mt-16 grid grid-cols-[minmax(0,1fr)] items-center gap-x-14 gap-y-8 lg:grid-cols-[minmax(0,7fr)_minmax(0,5fr)]"
+        >
+          <UprightFlip />
+          <div>
+            <p className="text-muted-foreground text-sm">New in {version}</p>
+            <h2 id="news" className="mt-2 text-balance font-semibold text-3xl tracking-[-0.03em]">
+              {news.title}
+            </h2>
+            <p className="mt-3 text-pretty text-muted-foreground leading-relaxed">
+              {typeset(news.text)}{' '}
+              <a href={at(news.more.href)} className="text-foreground underline underline-offset-4">
+                {news.more.title}
+              </a>
+            </p>
+            <ul className="mt-6 space-y-4 border-t pt-6 text-sm">
+              {news.others.map(({ title, href, text }) => (
+                <li key={href}>
+                  <a href={at(href)} className="font-medium underline-offset-4 hover:underline">
+                    {title}
+                  </a>
+                  <p className="mt-1 text-pretty text-muted-foreground leading-relaxed">{typeset(text)}</p>
+                </li>
+              ))}
+            </ul>
+          </div>
+        </section>
+        <dl className="mt-20 grid grid-cols-[minmax(0,1fr)] gap-x-10 gap-y-10 sm:grid-cols-2 lg:grid-cols-4">
           {(await facts()).map((fact) => (
             <FactCell key={fact.title} {...fact} />
           ))}

@@ -1,7 +1,9 @@
 import 'server-only'
 import { ours } from '@/bench/publish/report'
+import { blocks } from './blocks'
 import { browserResults, dropOf } from './evidence/browser'
 import { costRow, results } from './evidence/results'
+import { capital, inWords } from './evidence/words'
 import { componentSize } from './size'
 
 /** A processor's name as a page says it. */
@@ -52,6 +54,30 @@ export async function facts(): Promise<Fact[]> {
       more: { title: 'Benchmarks', href: '/benchmarks' },
     },
   ]
+}
+
+/** What the latest version brought, for the home page and its Markdown: the first is shown, the others are told. */
+export const news = {
+  title: 'Words land the right way up',
+  text: 'A copy of the pile goes ahead and tells how each chip will lie. The chip then starts turned, so that its word ends upright. The pile is the same pile: flip it and watch the outlines.',
+  more: { title: 'How it works', href: '/docs/how-it-works' },
+  others: [
+    {
+      title: 'A pile as a link',
+      href: '/playground',
+      text: 'The playground copies what you did as an address. It plays step for step, to the same bits, in every browser.',
+    },
+    {
+      title: 'A light that stays above',
+      href: '/docs/elevation',
+      text: 'Each chip at rest tells its angle. A shadow falls down the screen, however the chip lies.',
+    },
+    {
+      title: `${capital(inWords(blocks.length))} blocks`,
+      href: '/blocks',
+      text: 'Hero to footer: parts of a page, each one file, taken with one command.',
+    },
+  ],
 }
 
 export const ways = [

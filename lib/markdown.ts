@@ -11,7 +11,7 @@ import { cellsOf, fuzzHead, fuzzRows, hardRows, knownRows, slideWords } from './
 import { verdictHead, verdictWords } from './evidence/words'
 import { figure } from './figure'
 import { heroCode } from './hero-code'
-import { facts, pitch, ways } from './home'
+import { facts, news, pitch, ways } from './home'
 import { looks as chipLooks, codeOf, defaults, ranges, shapes } from './playground'
 import { promptOf } from './prompt'
 import { readActions, readProps } from './props'
@@ -124,6 +124,9 @@ const home = async () =>
     pitch.lead,
     add('gravity-stack'),
     (await facts()).map(({ figure, title, text }) => `- **${figure}** ${title}. ${text}`).join('\n'),
+    `## New in ${version}`,
+    `**${news.title}.** ${news.text}`,
+    news.others.map(({ title, href, text }) => `- [${title}](${twinOf(href)}): ${text}`).join('\n'),
     '## In code',
     fence('tsx', heroCode({ neutral: false, heavier: false, bouncier: false })),
     'With neutral surfaces, more gravity, more bounce, and a button:',

@@ -4,33 +4,13 @@ import { useState } from 'react'
 import { shortFigure } from '@/lib/figure'
 import { BOUNCE, FRICTION, GRAVITY } from '@/registry/gravity-stack/solver/constants'
 import { uprightTurn } from '@/registry/gravity-stack/stage/look-ahead'
-import { cornerRadius, type Pose, type Shape } from '@/scenes/exact-distance'
+import type { Pose, Shape } from '@/scenes/exact-distance'
 import { Slider } from '../slider'
 import { chipColours, drawChip, drawLine, drawText } from './draw'
 import { Figure, Value } from './figure'
 import { createPile } from './pile'
+import { chips, isUpsideDown, shapes } from './upright-chips'
 import { useLazy } from './use-lazy'
-
-const pill = (width: number) => ({ width, height: 30, radius: 15 })
-const card = (width: number) => ({ width, height: 36, radius: 7 })
-const square = { width: 42, height: 42, radius: 8 }
-const disc = { width: 42, height: 42, radius: 21 }
-
-const chips: [word: string, shape: Shape][] = [
-  ['design', pill(76)],
-  ['grid', card(60)],
-  ['a', square],
-  ['motion', pill(80)],
-  ['type', pill(60)],
-  ['e', disc],
-  ['layout', card(76)],
-  ['icons', pill(66)],
-  ['tone', pill(62)],
-  ['rhythm', pill(82)],
-  ['g', square],
-  ['depth', pill(68)],
-]
-const shapes = chips.map(([, shape]) => ({ ...shape, radius: cornerRadius(shape) }))
 
 /** Of each of the two drops. */
 const stage = { width: 480, height: 170 }
@@ -49,8 +29,6 @@ function drop(number: number) {
     return pile.ids.map((id) => pile.world.read(id))
   })
 }
-
-const isUpsideDown = ({ angle }: Pose) => Math.cos(angle) < 0
 
 /** px, how far the corners of a chip at two poses are apart at most, whatever the corners are called. */
 function outlinesApart({ width, height, radius }: Shape, one: Pose, other: Pose) {
