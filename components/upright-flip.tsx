@@ -9,6 +9,7 @@ import { type LyingChip, uprightPile, uprightStage } from '@/lib/upright-pile'
 export function UprightFlip() {
   const { pile, upsideDown } = uprightPile()
   const { width, height } = uprightStage
+  const top = Math.min(...pile.map(({ y }) => y)) - 64
   const ways = [
     { value: 'now', label: 'The right way up', says: `0 of ${pile.length} words upside down` },
     { value: 'before', label: 'As chips fall', says: `${upsideDown} of ${pile.length} words upside down` },
@@ -17,7 +18,7 @@ export function UprightFlip() {
     <fieldset className="group/flip overflow-hidden rounded-2xl border bg-panel has-[[value=before]:checked]:[--upright:0] [--upright:1]">
       <legend className="sr-only">How the words of a pile lie</legend>
       <svg
-        viewBox={`0 0 ${width} ${height}`}
+        viewBox={`0 ${top} ${width} ${height - top}`}
         role="img"
         aria-label={`A pile of ${pile.length} chips. As they fall, ${upsideDown} words are upside down. Turned by the look-ahead, none is, and every outline lies where it lay.`}
         className="block w-full border-b bg-stage"

@@ -185,3 +185,39 @@ test('the tints of the home page are those in its code', async ({ page }) => {
   for (const [index, name] of [...code!.matchAll(/'(bg-[\w-]+)'/g)].map(([, name]) => name).entries())
     await expect(chips.nth(index)).toContainClass(name)
 })
+
+test.describe('without script', () => {
+  test.use({ javaScriptEnabled: false })
+
+  test('a visitor flips the words of a pile over and back, and no chip moves', async ({ page }) => {
+    await page.emulateMedia({ reducedMotion: 'reduce' })
+    await page.goto('/')
+    const flip = page.getByRole('group', { name: 'How the words of a pile lie' })
+    const upsideDown = () =>
+      flip.locator('text').evaluateAll(
+        (words) =>
+          words.filter((word) => {
+            const { b, a } = (word as SVGTextElement).getScreenCTM()!
+            return Math.cos(Math.atan2(b, a)) < 0
+          }).length,
+      )
+    const outlines = () =>
+      flip.locator('rect').evaluateAll((rects) =>
+        (rects as SVGRectElement[]).map((rect) => {
+          const { x, y, width, height } = rect.getBoundingClientRect()
+          const { top } = rect.ownerSVGElement!.getBoundingClientRect()
+          return [x, y - top, width, height].map((value) => Math.round(value))
+        }),
+      )
+    await expect(flip.getByText('0 of 12 words upside down')).toBeVisible()
+    expect(await upsideDown()).toBe(0)
+    const before = await outlines()
+    await flip.getByText('As chips fall').click()
+    const fallen = await upsideDown()
+    expect(fallen).toBeGreaterThan(2)
+    await expect(flip.getByText(`${fallen} of 12 words upside down`)).toBeVisible()
+    expect(await outlines()).toEqual(before)
+    await flip.getByText('The right way up').click()
+    expect(await upsideDown()).toBe(0)
+  })
+})
