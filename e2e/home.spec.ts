@@ -201,22 +201,22 @@ test.describe('without script', () => {
             return Math.cos(Math.atan2(b, a)) < 0
           }).length,
       )
-    const outlines = () =>
+    const centres = () =>
       flip.locator('rect').evaluateAll((rects) =>
         (rects as SVGRectElement[]).map((rect) => {
           const { x, y, width, height } = rect.getBoundingClientRect()
           const { top } = rect.ownerSVGElement!.getBoundingClientRect()
-          return [x, y - top, width, height].map((value) => Math.round(value))
+          return [x + width / 2, y + height / 2 - top].map((value) => Math.round(value))
         }),
       )
     await expect(flip.getByText('0 of 12 words upside down')).toBeVisible()
     expect(await upsideDown()).toBe(0)
-    const before = await outlines()
+    const before = await centres()
     await flip.getByText('As chips fall').click()
     const fallen = await upsideDown()
     expect(fallen).toBeGreaterThan(2)
     await expect(flip.getByText(`${fallen} of 12 words upside down`)).toBeVisible()
-    expect(await outlines()).toEqual(before)
+    expect(await centres()).toEqual(before)
     await flip.getByText('The right way up').click()
     expect(await upsideDown()).toBe(0)
   })
