@@ -80,7 +80,7 @@ test('an onSettle that can’t be called is not, and a developer is told so', as
   const wrong = stages.filter(({ value }) => !['null', 'nan', 'false'].includes(value))
   expect(await stage.probe((probe) => probe.warnings)).toHaveLength(wrong.length)
   for (const { text } of wrong)
-    expect(await told(stage, 'onSettle', text)).toContain(', so nothing is. Pass a function')
+    expect(await told(stage, 'onSettle', text)).toContain(', so nothing is called. Pass a function')
 })
 
 test('whatever className is given, the chips fall and rest', async ({ stage }) => {

@@ -64,7 +64,7 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range, or leave ${name} out.`,
     )
   return result
 }
@@ -78,7 +78,7 @@ function checkedGravity(value: unknown): Vector {
   const vector = { x: part(x), y: part(y) }
   if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
     warn(
-      `gravity is { x: ${written(x)}, y: ${written(y)} }, whose parts are no two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
     )
   return vector
 }
@@ -109,7 +109,7 @@ export function checkedProps(given: StageProps): Settings {
     // `ready && save` is how people leave a callback out.
     if (process.env.NODE_ENV !== 'production' && given.onSettle)
       warn(
-        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is called. Pass a function, or leave onSettle out.`,
       )
   }
   return settings

@@ -68,7 +68,7 @@ export function createVisibility({ root, view, update }: Context, approach: () =
         timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
       else if (process.env.NODE_ENV !== 'production')
         warn(
-          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
+          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and its container a width.`,
         )
     }
     update()
