@@ -17,13 +17,22 @@ export const metadata: Metadata = {
     siteName: 'Gravity Stack',
     url: './',
     // As a file of the app folder it would get the folder of the site's address twice.
-    images: {
-      url: '/opengraph-image.png',
-      type: 'image/png',
-      width: 1200,
-      height: 630,
-      alt: 'Chips with words on them have fallen into a pile under the title Words with weight',
-    },
+    images: [
+      {
+        url: '/opengraph-image.png',
+        type: 'image/png',
+        width: 1200,
+        height: 630,
+        alt: 'Chips with words on them have fallen into a pile under the title Words with weight',
+      },
+      {
+        url: '/opengraph-loop.webp',
+        type: 'image/webp',
+        width: 600,
+        height: 315,
+        alt: 'Chips with words on them fall into a pile under the title Words with weight',
+      },
+    ],
   },
 }
 

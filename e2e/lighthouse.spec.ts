@@ -9,6 +9,7 @@ import { freePort } from './free-port'
 const pages = [
   { path: '/', kilobytes: 270 },
   { path: '/docs/gravity-stack', kilobytes: 290 },
+  { path: '/blocks', kilobytes: 300 },
   { path: '/benchmarks', kilobytes: 330 },
 ]
 
