@@ -111,7 +111,7 @@ test('without gravity what shake() has sent out of the stage comes back into it'
   expect(await inside()).toEqual([true, true, true, true])
 })
 
-test('drop() takes a chip out of the hand', async ({ stage, page }) => {
+test('drop() takes a held chip away from the pointer', async ({ stage, page }) => {
   await stage.settled('extras')
   const chip = stage.chips.first()
   await stage.drag(chip, 0, -60)

@@ -118,7 +118,7 @@ test('a drag of a link is a click to nobody around the stage', async ({ stage, p
   await expect(page.locator('output')).toHaveText('clicked')
 })
 
-test('a hand that trembles by 3 px still clicks a link, one that goes 10 px drags it', async ({
+test('a mouse that moves by 3 px still clicks a link, one that moves by 10 px drags it', async ({
   stage,
   page,
 }) => {

@@ -150,7 +150,7 @@ test('while one chip is lifted, those that do not touch it sleep on and are not 
   await page.mouse.up()
 })
 
-test('bringing 60 chips to life asks for the size of the stage, and for the look of a chip when its turn comes', async ({
+test('a drop of 60 chips reads the size of the stage, and the style of a chip when it is released', async ({
   stage,
 }) => {
   const reads = () => stage.probe((probe) => probe.layoutReads)
@@ -355,7 +355,10 @@ for (const [when, bring] of Object.entries(idle)) {
   })
 }
 
-test('with interactive off a press, a drag and a tap run no line of the hand', async ({ stage, page }) => {
+test('with interactive off a press, a drag and a tap run no line of the pointers', async ({
+  stage,
+  page,
+}) => {
   const hand = ['pointerMap', 'down', 'hold', 'move', 'click', 'createJoint', 'movePointer']
   /** Those of them that have run while a chip was pressed, dragged and tapped. */
   const runs = async (props: { interactive?: boolean }) => {

@@ -101,7 +101,7 @@ test('chips fall one by one, first come first', async ({ stage }) => {
   ])
 })
 
-test('a chip that changes its look before it is first drawn falls as any other', async ({ stage, page }) => {
+test('a chip that changes its style before it is first drawn falls as any other', async ({ stage, page }) => {
   await page.addInitScript(() => {
     const { setTimeout } = window
     let changed = false

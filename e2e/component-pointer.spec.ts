@@ -201,7 +201,7 @@ test('with interactive off nothing can be grabbed and nothing listens', async ({
   expect(await stage.chips.nth(0).evaluate((chip) => getComputedStyle(chip).cursor)).not.toBe('grab')
 })
 
-test('the hand is open over a chip and closed round it, and its words can’t be selected', async ({
+test('the cursor is an open hand over a chip and a closed one while it is held, and its words can’t be selected', async ({
   stage,
   page,
 }) => {
@@ -278,7 +278,7 @@ test('a held chip stays with a pointer that stands still while the page scrolls'
   await page.mouse.up()
 })
 
-test('a chip that loses its size in a hand has left it, and falls anew when it has one again', async ({
+test('a held chip that loses its size is let go, and falls anew when it has one again', async ({
   stage,
   page,
 }) => {
@@ -343,7 +343,7 @@ test('a chip whose content captures the pointer itself is dragged like any other
   await expect(chip).not.toHaveAttribute('data-state', 'held')
 })
 
-test('a new order of the children leaves a chip in the hand that drags it', async ({ stage, page }) => {
+test('a new order of the children leaves a chip with the pointer that drags it', async ({ stage, page }) => {
   await stage.settled('children')
   const chip = stage.chip('one')
   await stage.drag(chip, 0, -80)
@@ -360,7 +360,7 @@ test('a new order of the children leaves a chip in the hand that drags it', asyn
   await expect(chip).not.toHaveAttribute('data-state', 'held')
 })
 
-test('taken from a hand that has stood still a chip falls straight down', async ({ stage, page }) => {
+test('a chip that is taken from a pointer at rest falls straight down', async ({ stage, page }) => {
   await stage.settled('extras')
   const chip = stage.chips.nth(0)
   const from = await stage.centre(chip)

@@ -217,7 +217,7 @@ test.describe('with reduced motion', () => {
     ).toEqual([])
   })
 
-  test('no hand and no touch in the row says that it can be grabbed', async ({ stage }) => {
+  test('in the row no cursor and no touch says that a chip can be grabbed', async ({ stage }) => {
     await stage.open('pile')
     await expect.poll(() => stage.probe((probe) => probe.observed.intersection)).toBe(1)
     await expect(stage.chips.first()).toHaveCSS('cursor', 'auto')

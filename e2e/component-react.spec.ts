@@ -180,10 +180,7 @@ test('a stage whose `interactive` changes before anyone has seen it drops as eve
   await stage.reaches('resting')
 })
 
-test('a chip stays in the hand when a render brings another object for `interactive`', async ({
-  stage,
-  page,
-}) => {
+test('a chip stays held when a render brings another object for `interactive`', async ({ stage, page }) => {
   await stage.settled('surroundings', { kind: 'truthy' })
   await stage.drag(stage.chips.first(), 20, -60)
   await expect(stage.chips.first()).toHaveAttribute('data-state', 'held')

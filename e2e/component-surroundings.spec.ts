@@ -204,7 +204,7 @@ test('chips are where they are drawn, and hang below the pointer, though the pag
   await page.mouse.up()
 })
 
-test('over what keeps its presses the hand is not offered, and a cursor of its own stays', async ({
+test('an element that keeps its presses shows no hand as cursor, and a cursor of its own stays', async ({
   stage,
   page,
 }) => {

@@ -222,7 +222,7 @@ for (const [where, second, rest] of [
   })
 }
 
-test('the wheel scrolls the page over the empty stage, over a chip and with a chip in hand; with Ctrl it zooms', async ({
+test('the wheel scrolls the page over the empty stage, over a chip and while a chip is held; with Ctrl it zooms', async ({
   stage,
   page,
 }) => {

@@ -2858,8 +2858,8 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside
- * (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside (px/s). Its spin (rad/s)
+ * brings a chip that is drawn at `angle` upright by the time it comes down.
  */
 function launchMotion(
   number: number,
@@ -2987,50 +2987,30 @@ function setState(chip: Chip, next: Chip['state']) {
 
 // stage/children: a chip for each child ─────────────────────────────────────────────────────────────────────
 
-/** The chips of a stage: one for each child that React has rendered into it. */
-function createChildren(root: HTMLElement) {
-  const chips = new Map<Element, Chip>()
-  return {
-    chips,
-
-    /** The chip that an element is, or is in. */
-    chipAt(target: EventTarget | null) {
-      let node = target as Element | null
-      while (node && !chips.has(node)) node = node.parentElement
-      return chips.get(node!)
-    },
-
-    /** The chips in the order of the child elements. */
-    inOrder: () => Array.from(root.children).flatMap((element) => chips.get(element) ?? []),
-
-    /** Calls `add` with a chip for each new child element; returns the chips whose elements are gone. */
-    collect(add: (chip: Chip) => void) {
-      // Chromium takes a chip that waits, and is clipped to nothing, for out of view: what is in it would
-      // never load.
-      for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
-        lazy.setAttribute('loading', 'eager')
-      for (const element of Array.from(root.children) as HTMLElement[]) {
-        if (chips.has(element) || !element.matches('[data-slot]:not([data-static])')) continue
-        const chip = {
-          element,
-          state: 'waiting',
-          width: 0,
-          radius: Number.NaN,
-          id: -1,
-          angle: 0,
-          pinch: '',
-        } as Chip
-        chips.set(element, chip)
-        add(chip)
-      }
-      const gone = Array.from(chips.values()).filter(({ element }) => element.parentNode !== root)
-      for (const { element } of gone) chips.delete(element)
-      return gone
-    },
-  }
+/** The chip that an element is, or is in. */
+function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
+  let node = target as Element | null
+  while (node && !chips.has(node)) node = node.parentElement
+  return chips.get(node!)
 }
 
-type Children = ReturnType<typeof createChildren>
+/** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
+function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
+  const added: Chip[] = []
+  const gone = new Map(chips)
+  chips.clear()
+  for (const element of Array.from(root.children) as HTMLElement[]) {
+    if (!element.matches('[data-slot]:not([data-static])')) continue
+    let chip = gone.get(element)
+    if (!chip) {
+      chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
+      added.push(chip)
+    }
+    gone.delete(element)
+    chips.set(element, chip)
+  }
+  return { added, gone: Array.from(gone.values()) }
+}
 
 // stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
 
@@ -3281,7 +3261,7 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
     )
   return result
 }
@@ -3295,7 +3275,7 @@ function checkedGravity(value: unknown): Vector {
   const vector = { x: part(x), y: part(y) }
   if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
     warn(
-      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, whose parts are no two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
     )
   return vector
 }
@@ -3326,7 +3306,7 @@ function checkedProps(given: StageProps): Settings {
     // `ready && save` is how people leave a callback out.
     if (process.env.NODE_ENV !== 'production' && given.onSettle)
       warn(
-        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is called. Pass a function, or leave onSettle out.`,
+        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
       )
   }
   return settings
@@ -3348,6 +3328,8 @@ interface Context {
   /** Whether the caller has paused the stage. */
   pausing: { current: boolean }
   settings: Settings
+  /** The chips by their elements, in the order of these. */
+  chips: Map<Element, Chip>
   /** px, size of the stage; zero while it has none. Written by `sizes`. */
   width: number
   height: number
@@ -3424,7 +3406,7 @@ function createVisibility({ root, view, update }: Context, approach: () => void)
         timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
       else if (process.env.NODE_ENV !== 'production')
         warn(
-          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and its container a width.`,
+          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
         )
     }
     update()
@@ -3582,15 +3564,15 @@ function createPile(
     /** The chips in the world, by the ids of their bodies. */
     chips: [] as Chip[],
 
-    /** Begins a drop of these chips, with the clock of the queue at `clock`. */
-    begin(chips: Chip[], clock: number) {
+    /** Begins a drop of all chips, with the clock of the queue at `clock`. */
+    begin(clock: number) {
       pile.world = createWorld({ ...settings, width: context.width, height: context.height })
       pile.chips = []
       queue.restart(clock)
-      for (const chip of chips) {
+      context.chips.forEach((chip) => {
         reset(chip)
         if (chip.width) queue.add(chip)
-      }
+      })
     },
 
     /** Lets the time pass until `end`, s on the clock of the queue, with the releases on the way. */
@@ -3612,12 +3594,7 @@ function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased(
-        { world: pile.world!, chips: pile.chips },
-        chip,
-        context.width,
-        settings.gravity.y,
-      )
+      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity.y)
       chip.x = Number.NaN
     },
 
@@ -3710,6 +3687,203 @@ function createPile(
 
 type StagePile = ReturnType<typeof createPile>
 
+// stage/pointer-map: from the px of the page to those of the stage ──────────────────────────────────────────
+
+/**
+ * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
+ * stage and of the elements around it do together.
+ */
+function pointerMap(root: HTMLElement, box: DOMRect) {
+  const probes = [0, 1, 2].map((i) => {
+    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
+    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
+    return probe
+  })
+  // All probes are written before any is read, for one layout.
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
+  for (const probe of probes) probe.remove()
+  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+    .scale(0.01)
+    .inverse()
+}
+
+// stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
+
+/** px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake no pile. */
+const UNNOTICED = 0.04
+
+/** An element that chips land on. */
+interface ObstacleElement {
+  /** In the world, or undefined, and as what: x, y, angle, width, height, radius, or nothing. */
+  id?: number | undefined
+  placed: number[]
+  /** Sees the element move or change its size. */
+  watch?: IntersectionObserver
+}
+
+/** Tells a developer what is wrong with the place or the size (px) of an obstacle. */
+function warnOfPlace(
+  { clientWidth, clientHeight }: HTMLElement,
+  x: number,
+  y: number,
+  angle: number,
+  width: number,
+  height: number,
+) {
+  const high = height * Math.abs(Math.cos(angle)) + width * Math.abs(Math.sin(angle))
+  if (width >= clientWidth && height >= clientHeight)
+    warn(
+      'an obstacle is as large as its stage and would leave no room, so chips fall through it. Make it smaller, or the stage larger.',
+    )
+  else if (!(width * height))
+    warn(
+      'an obstacle has no size, so chips fall through it. They land on it once it has one: give it a width and a height.',
+    )
+  else if (y - high / 2 < 0 && Math.abs(x - clientWidth / 2) < (clientWidth + width) / 2)
+    warn(
+      'an obstacle reaches out of the top of its stage and covers the way in, so chips may stay on it, unseen. Move it down, or make it smaller.',
+    )
+}
+
+/** The obstacles of a stage: children that stay where they are, and what refs lead to. */
+function createObstacles({ root, view, still, pausing, settings, update }: Context, pile: StagePile) {
+  const all = new Map<Element, ObstacleElement>()
+
+  function changed() {
+    update()
+    if (!pile.world || !pausing.current) return
+    // No time passes, but nothing may stay in what has moved.
+    pile.world.makeRoom()
+    pile.draw()
+  }
+
+  /** Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the element's own box. */
+  function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
+    const { clientWidth, clientHeight } = root.ownerDocument.documentElement
+    const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
+    // Of what is out of view all that can be seen is that it comes in.
+    const hidden = y > clientHeight || x > clientWidth || bottom < 0 || right < 0
+    let first = true
+    obstacle.watch?.disconnect()
+    obstacle.watch = new view.IntersectionObserver(
+      ([entry]) => {
+        const { boundingClientRect: now } = entry!
+        if (!first || now.x !== x || now.y !== y) measure()
+        first = false
+      },
+      {
+        root: root.ownerDocument,
+        rootMargin: hidden ? '0px' : `${insets.join('px ')}px`,
+        threshold: EVERY_PERCENT,
+      },
+    )
+    obstacle.watch.observe(element)
+  }
+
+  /** Brings the world in line with where the elements are. */
+  function measure() {
+    const { world } = pile
+    if (!world || !all.size) return
+    const box = root.getBoundingClientRect()
+    if (!(box.width * box.height)) return
+    const toStage = pointerMap(root, box)
+    let any = false
+    all.forEach((obstacle, element) => {
+      const rect = element.getBoundingClientRect()
+      watchPlace(element, obstacle, rect)
+      const style = getComputedStyle(element)
+      const own = new DOMMatrix(style.transform)
+      // Rounded, as engines disagree on the last bits.
+      const turned = Math.atan2(own.b, own.a) + ((Number.parseFloat(style.rotate) || 0) * Math.PI) / 180
+      const angle = Math.round(turned * 1e4) / 1e4
+      // The box around what is turned is larger than that, and has the same middle.
+      const scale = Math.hypot(own.a, own.b) * (Number.parseFloat(style.scale) || 1)
+      const { offsetWidth, offsetHeight } = element as HTMLElement
+      const unit = Math.hypot(toStage.a, toStage.b)
+      const width = angle ? scale * offsetWidth : unit * rect.width
+      const height = angle ? scale * offsetHeight : unit * rect.height
+      const { x, y } = toStage.transformPoint({
+        x: rect.x + rect.width / 2 - box.x,
+        y: rect.y + rect.height / 2 - box.y,
+      })
+      const radius = cornerRadius(style, width, height)
+      const large = width >= root.clientWidth && height >= root.clientHeight
+      const body = width * height > 0 && !large ? [x, y, angle, width, height, radius] : []
+      if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
+      const { placed } = obstacle
+      if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
+      any = true
+      obstacle.placed = body
+      if (!body[0]) {
+        world.remove(obstacle.id!)
+        obstacle.id = undefined
+      } else if (obstacle.id === undefined)
+        obstacle.id = world.add({ x, y, angle, width, height, radius, density: Infinity })
+      else {
+        world.place(obstacle.id, { x, y, angle })
+        world.reshape(obstacle.id, { width, height, radius })
+      }
+    })
+    if (any) changed()
+  }
+
+  return {
+    measure,
+
+    /** The pile has a new world, which knows none of the obstacles yet. */
+    enter() {
+      all.forEach((obstacle, element) => {
+        all.set(element, { ...obstacle, id: undefined, placed: [] })
+      })
+      measure()
+    },
+
+    /** Looks for obstacles anew. */
+    find() {
+      const refs = settings.obstacles ? [settings.obstacles].flat().map((ref) => ref?.current) : []
+      const elements = refs.filter((element) => element instanceof view.Element)
+      if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
+        warn(
+          'a ref among obstacles leads to no element yet, so chips fall through there. It is looked at again when the stage renders: give its element the ref, and render the stage once it is there.',
+        )
+      elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
+      if (still.matches) elements.length = 0
+      let fresh = false
+      all.forEach((obstacle, element) => {
+        if (elements.includes(element)) return
+        obstacle.watch?.disconnect()
+        pile.world?.remove(obstacle.id!)
+        all.delete(element)
+        changed()
+      })
+      for (const element of elements) {
+        if (element.contains(root)) {
+          if (process.env.NODE_ENV !== 'production')
+            warn(
+              'an obstacle is the stage itself or around it, so chips fall through it. Pass elements beside the stage, or give children data-static.',
+            )
+        } else if (!all.get(element)?.watch) {
+          fresh = true
+          all.set(element, { placed: [], ...all.get(element) })
+        }
+      }
+      if (fresh) measure()
+    },
+
+    /** Watches nothing any more, until it is told again what the obstacles are. */
+    stop() {
+      all.forEach((obstacle, element) => {
+        obstacle.watch?.disconnect()
+        const { id, placed } = obstacle
+        all.set(element, { id, placed })
+      })
+    },
+  }
+}
+
+type Obstacles = ReturnType<typeof createObstacles>
+
 // stage/plan: what is computed between frames ───────────────────────────────────────────────────────────────
 
 /** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
@@ -3724,6 +3898,7 @@ function createPlan(
   lookAhead: LookAhead<Chip>,
   pile: StagePile,
   visibility: Visibility,
+  obstacles: Obstacles,
 ) {
   const { settings } = context
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -3733,9 +3908,7 @@ function createPlan(
     timer = undefined
     if (!enabled) return
     if (plan.settling) return settle()
-    if (
-      !lookAhead.advance({ world: pile.world!, chips: pile.chips }, queue, context.width, settings.gravity.y)
-    ) {
+    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity.y)) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()
     } else if (queue.clock < 0 && queue.latest < 0) {
@@ -3761,10 +3934,11 @@ function createPlan(
     /** Whether the pile that lies there from the start is still falling, unseen. */
     settling: false,
 
-    /** Begins a drop of these chips. */
-    begin(chips: Chip[]) {
+    /** Begins a drop. */
+    begin() {
       plan.settling = !pile.world && !settings.initial
-      pile.begin(chips, settings.upright && !plan.settling ? -HEAD_START : 0)
+      pile.begin(settings.upright && !plan.settling ? -HEAD_START : 0)
+      obstacles.enter()
     },
 
     /** The row gives way to the pile. */
@@ -3798,85 +3972,6 @@ function createPlan(
 
 type Plan = ReturnType<typeof createPlan>
 
-// stage/sizes: the sizes of the stage and its chips ─────────────────────────────────────────────────────────
-
-/** What a stage does when sizes change. */
-interface SizeEvents {
-  /** A chip has lost its size. */
-  emptied(chip: Chip): void
-  /** The stage has a size; before, it had none if `appeared`. */
-  stageSized(appeared: boolean): void
-  /** All that a paused stage shows has been brought in line. */
-  done(): void
-}
-
-/** Watches the sizes of a stage and its chips. */
-function createSizes(
-  context: Context,
-  { chips, chipAt }: Children,
-  pile: StagePile,
-  { emptied, stageSized, done }: SizeEvents,
-) {
-  const { root, view } = context
-  /** Nothing is watched while the chips stand in their row. */
-  let watching = false
-  const observer = new view.ResizeObserver((entries) => {
-    for (const { target, contentRect } of entries) {
-      const chip = chipAt(target)
-      if (chip) setChipSize(chip, contentRect.width, contentRect.height)
-      else if (target === root) readStageSize()
-    }
-    context.update()
-    if (!pile.world || !context.pausing.current) return
-    // No time passes, but nothing may stay behind a wall or in another chip.
-    pile.world.makeRoom()
-    pile.draw()
-    done()
-  })
-
-  function readStageSize() {
-    const appeared = !(context.width * context.height)
-    context.width = root.clientWidth
-    context.height = root.clientHeight
-    if (!(context.width * context.height)) return
-    stageSized(appeared)
-    // A chip that has lost its size while the stage had none had none to lose.
-    if (appeared)
-      chips.forEach((chip) => {
-        if (chip.width && !chip.element.offsetWidth) setChipSize(chip, 0, 0)
-      })
-  }
-
-  function setChipSize(chip: Chip, width: number, height: number) {
-    if (width * height) return pile.setSize(chip, width, height)
-    // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
-    if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
-    if (process.env.NODE_ENV !== 'production')
-      warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
-    chip.width = 0
-    emptied(chip)
-  }
-
-  const sizes = {
-    /** Watches the stage and its chips, or nothing; returns whether that is new. */
-    watch(yes: boolean) {
-      if (yes === watching) return false
-      watching = yes
-      observer.disconnect()
-      if (yes) {
-        observer.observe(root)
-        chips.forEach(sizes.add)
-      }
-      return true
-    },
-    add({ element }: Chip) {
-      if (watching) observer.observe(element)
-    },
-    remove: ({ element }: Chip) => observer.unobserve(element),
-  }
-  return sizes
-}
-
 // stage/listeners: events, until their listeners end ────────────────────────────────────────────────────────
 
 /** Listens before handlers on the way to the target, which may keep the event to themselves. */
@@ -3900,8 +3995,7 @@ function stop(event: Event) {
 
 /** Brings the chip with the focus to the front and into view; calls `hurry` if it waits for its release. */
 function createFocus(
-  { root, view, still, pausing, update }: Context,
-  { chipAt }: Children,
+  { root, view, still, pausing, chips, update }: Context,
   pile: StagePile,
   hurry: () => void,
 ) {
@@ -3921,7 +4015,7 @@ function createFocus(
     },
 
     on({ target }: { target: EventTarget | null }) {
-      const chip = chipAt(target)
+      const chip = chipAt(chips, target)
       if (!chip) return
       focus.toFront(chip)
       if (still.matches) return
@@ -3944,8 +4038,8 @@ function createFocus(
     /** An event's target for the element that has the focus, in the page or the shadow tree. */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
-    /** In a paused stage, where no time passes, puts a chip where it can be seen. */
-    bringIn(chip: Chip | undefined) {
+    /** In a paused stage, where no time passes, puts a chip, or that with the focus, where it can be seen. */
+    bringIn(chip = chipAt(chips, focus.active().target)) {
       if (chip && pile.world && pausing.current) pile.bringIn(chip)
     },
 
@@ -3960,6 +4054,84 @@ function createFocus(
 }
 
 type Focus = ReturnType<typeof createFocus>
+
+// stage/sizes: the sizes of the stage and its chips ─────────────────────────────────────────────────────────
+
+/** Watches the sizes of a stage and its chips; calls `withdraw` with chips that have lost theirs. */
+function createSizes(
+  context: Context,
+  pile: StagePile,
+  plan: Plan,
+  obstacles: Obstacles,
+  visibility: Visibility,
+  focus: Focus,
+  withdraw: (chips: Chip[]) => void,
+) {
+  const { root, view, chips } = context
+  /** Nothing is watched while the chips stand in their row. */
+  let watching = false
+  const observer = new view.ResizeObserver((entries) => {
+    for (const { target, contentRect } of entries) {
+      const chip = chipAt(chips, target)
+      if (chip) setChipSize(chip, contentRect.width, contentRect.height)
+      else if (target === root) readStageSize()
+    }
+    context.update()
+    if (!pile.world || !context.pausing.current) return
+    // No time passes, but nothing may stay behind a wall or in another chip.
+    pile.world.makeRoom()
+    pile.draw()
+    // A chip may have got the focus before it had a size.
+    focus.bringIn()
+  })
+
+  function readStageSize() {
+    const appeared = !(context.width * context.height)
+    context.width = root.clientWidth
+    context.height = root.clientHeight
+    if (!(context.width * context.height)) return
+    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
+    if (appeared && !visibility.started) visibility.checkAgain()
+    if (pile.world) {
+      pile.world.resize(context.width, context.height)
+      obstacles.measure()
+    } else plan.begin()
+    // A chip that has lost its size while the stage had none had none to lose.
+    if (appeared)
+      chips.forEach((chip) => {
+        if (chip.width && !chip.element.offsetWidth) setChipSize(chip, 0, 0)
+      })
+  }
+
+  function setChipSize(chip: Chip, width: number, height: number) {
+    if (width * height) return pile.setSize(chip, width, height)
+    // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
+    if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
+    if (process.env.NODE_ENV !== 'production')
+      warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
+    chip.width = 0
+    withdraw([chip])
+  }
+
+  const sizes = {
+    /** Watches the stage and its chips, or nothing; returns whether that is new. */
+    watch(yes: boolean) {
+      if (yes === watching) return false
+      watching = yes
+      observer.disconnect()
+      if (yes) {
+        observer.observe(root)
+        chips.forEach(sizes.add)
+      }
+      return true
+    },
+    add({ element }: Chip) {
+      if (watching) observer.observe(element)
+    },
+    remove: ({ element }: Chip) => observer.unobserve(element),
+  }
+  return sizes
+}
 
 // stage/state: static, waiting, running, paused or resting ──────────────────────────────────────────────────
 
@@ -3998,9 +4170,8 @@ function createLifecycle(
   plan: Plan,
   visibility: Visibility,
   focus: Focus,
-  { chips }: Children,
 ) {
-  const { root, settings, still, pausing } = context
+  const { root, settings, still, pausing, chips } = context
   let state: StageState = 'static'
   const loop = createFrameLoop(context.view, (seconds) => {
     pile.advance(queue.clock + seconds)
@@ -4111,12 +4282,7 @@ function isOnScrollBar({ target, offsetX, offsetY }: PointerEvent) {
 const HOP = 36
 
 /** Clicks on the chips of a stage: a tap lets its chip hop, and the click that ends a drag is stopped. */
-function createClicks(
-  { root, view, update }: Context,
-  { chips }: Children,
-  pile: StagePile,
-  { isLive }: Lifecycle,
-) {
+function createClicks({ root, view, chips, update }: Context, pile: StagePile, { isLive }: Lifecycle) {
   /** Whether the next click ends a drag. */
   let dragged = false
 
@@ -4191,25 +4357,6 @@ interface Press {
   grab?: Grab
 }
 
-/**
- * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
- * stage and of the elements around it do together.
- */
-function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
-    return probe
-  })
-  // All probes are written before any is read, for one layout.
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
-  for (const probe of probes) probe.remove()
-  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
-    .scale(0.01)
-    .inverse()
-}
-
 function capture({ chip, down }: Press) {
   try {
     chip.element.setPointerCapture(down.pointerId)
@@ -4220,8 +4367,7 @@ function capture({ chip, down }: Press) {
 
 /** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
 function createPointers(
-  { root, view, update }: Context,
-  { chips }: Children,
+  { root, view, chips, update }: Context,
   pile: StagePile,
   focus: Focus,
   { isLive }: Lifecycle,
@@ -4395,10 +4541,7 @@ function createPointers(
 
 // stage/hover: the way of a pointer over the stage ──────────────────────────────────────────────────────────
 
-/**
- * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
- * at once.
- */
+/** s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out at once. */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
 
@@ -4431,186 +4574,6 @@ function followHover(
   })
 }
 
-// stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
-
-/**
- * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
- * no pile.
- */
-const UNNOTICED = 0.04
-
-/** An element that chips land on. */
-interface ObstacleElement {
-  /** In the world, or undefined, and as what: x, y, angle, width, height, radius, or nothing. */
-  id?: number | undefined
-  placed: number[]
-  /** Sees the element move or change its size. */
-  watch?: IntersectionObserver
-}
-
-/** Tells a developer what is wrong with the place or the size (px) of an obstacle. */
-function warnOfPlace(
-  { clientWidth, clientHeight }: HTMLElement,
-  x: number,
-  y: number,
-  angle: number,
-  width: number,
-  height: number,
-) {
-  const high = height * Math.abs(Math.cos(angle)) + width * Math.abs(Math.sin(angle))
-  if (width >= clientWidth && height >= clientHeight)
-    warn(
-      'an obstacle is as large as its stage and would leave no room, so chips fall through it. Make it smaller, or the stage larger.',
-    )
-  else if (!(width * height))
-    warn(
-      'an obstacle has no size, so chips fall through it. They land on it once it has one: give it a width and a height.',
-    )
-  else if (y - high / 2 < 0 && Math.abs(x - clientWidth / 2) < (clientWidth + width) / 2)
-    warn(
-      'an obstacle reaches out of the top of its stage and covers the way in, so chips may stay on it, unseen. Move it down, or make it smaller.',
-    )
-}
-
-/** The obstacles of a stage: children that stay where they are, and what refs lead to. */
-function createObstacles({ root, view, still, pausing, settings, update }: Context, pile: StagePile) {
-  const all = new Map<Element, ObstacleElement>()
-
-  function changed() {
-    update()
-    if (!pile.world || !pausing.current) return
-    // No time passes, but nothing may stay in what has moved.
-    pile.world.makeRoom()
-    pile.draw()
-  }
-
-  /**
-   * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
-   * element's own box.
-   */
-  function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
-    const { clientWidth, clientHeight } = root.ownerDocument.documentElement
-    const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
-    // Of what is out of view all that can be seen is that it comes in.
-    const hidden = y > clientHeight || x > clientWidth || bottom < 0 || right < 0
-    let first = true
-    obstacle.watch?.disconnect()
-    obstacle.watch = new view.IntersectionObserver(
-      ([entry]) => {
-        const { boundingClientRect: now } = entry!
-        if (!first || now.x !== x || now.y !== y) measure()
-        first = false
-      },
-      {
-        root: root.ownerDocument,
-        rootMargin: hidden ? '0px' : `${insets.join('px ')}px`,
-        threshold: EVERY_PERCENT,
-      },
-    )
-    obstacle.watch.observe(element)
-  }
-
-  /** Brings the world in line with where the elements are. */
-  function measure() {
-    const { world } = pile
-    if (!world || !all.size) return
-    const box = root.getBoundingClientRect()
-    if (!(box.width * box.height)) return
-    const toStage = pointerMap(root, box)
-    let any = false
-    all.forEach((obstacle, element) => {
-      const rect = element.getBoundingClientRect()
-      watchPlace(element, obstacle, rect)
-      const style = getComputedStyle(element)
-      const own = new DOMMatrix(style.transform)
-      // Rounded, as engines disagree on the last bits.
-      const turned = Math.atan2(own.b, own.a) + ((Number.parseFloat(style.rotate) || 0) * Math.PI) / 180
-      const angle = Math.round(turned * 1e4) / 1e4
-      // The box around what is turned is larger than that, and has the same middle.
-      const scale = Math.hypot(own.a, own.b) * (Number.parseFloat(style.scale) || 1)
-      const { offsetWidth, offsetHeight } = element as HTMLElement
-      const unit = Math.hypot(toStage.a, toStage.b)
-      const width = angle ? scale * offsetWidth : unit * rect.width
-      const height = angle ? scale * offsetHeight : unit * rect.height
-      const { x, y } = toStage.transformPoint({
-        x: rect.x + rect.width / 2 - box.x,
-        y: rect.y + rect.height / 2 - box.y,
-      })
-      const radius = cornerRadius(style, width, height)
-      const large = width >= root.clientWidth && height >= root.clientHeight
-      const body = width * height > 0 && !large ? [x, y, angle, width, height, radius] : []
-      if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
-      const { placed } = obstacle
-      if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
-      any = true
-      obstacle.placed = body
-      if (!body[0]) {
-        world.remove(obstacle.id!)
-        obstacle.id = undefined
-      } else if (obstacle.id === undefined)
-        obstacle.id = world.add({ x, y, angle, width, height, radius, density: Infinity })
-      else {
-        world.place(obstacle.id, { x, y, angle })
-        world.reshape(obstacle.id, { width, height, radius })
-      }
-    })
-    if (any) changed()
-  }
-
-  return {
-    measure,
-
-    /** The pile has a new world, which knows none of the obstacles yet. */
-    enter() {
-      all.forEach((obstacle, element) => {
-        all.set(element, { ...obstacle, id: undefined, placed: [] })
-      })
-      measure()
-    },
-
-    /** Looks for obstacles anew. */
-    find() {
-      const refs = settings.obstacles ? [settings.obstacles].flat().map((ref) => ref?.current) : []
-      const elements = refs.filter((element) => element instanceof view.Element)
-      if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
-        warn(
-          'a ref among obstacles leads to no element yet, so chips fall through there. It is looked at again when the stage renders: give its element the ref, and render the stage once it is there.',
-        )
-      elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
-      if (still.matches) elements.length = 0
-      let fresh = false
-      all.forEach((obstacle, element) => {
-        if (elements.includes(element)) return
-        obstacle.watch?.disconnect()
-        pile.world?.remove(obstacle.id!)
-        all.delete(element)
-        changed()
-      })
-      for (const element of elements) {
-        if (element.contains(root)) {
-          if (process.env.NODE_ENV !== 'production')
-            warn(
-              'an obstacle is the stage itself or around it, so chips fall through it. Pass elements beside the stage, or give children data-static.',
-            )
-        } else if (!all.get(element)?.watch) {
-          fresh = true
-          all.set(element, { placed: [], ...all.get(element) })
-        }
-      }
-      if (fresh) measure()
-    },
-
-    /** Watches nothing any more, until it is told again what the obstacles are. */
-    stop() {
-      all.forEach((obstacle, element) => {
-        obstacle.watch?.disconnect()
-        const { id, placed } = obstacle
-        all.set(element, { id, placed })
-      })
-    },
-  }
-}
-
 // stage/stage: the parts, wired together ────────────────────────────────────────────────────────────────────
 
 /** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
@@ -4626,7 +4589,8 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const view = page.defaultView as View
   const still = view.matchMedia(STILL)
   const settings = {} as Settings
-  const context: Context = { root, view, still, pausing, settings, width: 0, height: 0, update }
+  const chips = new Map<Element, Chip>()
+  const context: Context = { root, view, still, pausing, settings, chips, width: 0, height: 0, update }
   /** Ends all listeners; there from when the stage comes near the view until it is detached. */
   let listening: AbortController | undefined
 
@@ -4636,12 +4600,12 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     pointers.recapture()
     update()
   })
-  const children = createChildren(root)
   const queue = createReleaseQueue()
   const lookAhead = createLookAhead<Chip>((chip) => {
     if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
   })
   const pile = createPile(context, queue, lookAhead, changes)
+  const obstacles = createObstacles(context, pile)
   const visibility = createVisibility(context, () => {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -4652,45 +4616,32 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     collect()
     update()
   })
-  const plan = createPlan(context, queue, lookAhead, pile, visibility)
-  const focus = createFocus(context, children, pile, () => {
+  const plan = createPlan(context, queue, lookAhead, pile, visibility, obstacles)
+  const focus = createFocus(context, pile, () => {
     visibility.start()
     queue.catchUp()
     queue.reschedule()
   })
-  const sizes = createSizes(context, children, pile, {
-    emptied: (chip) => withdraw([chip]),
-    stageSized(appeared) {
-      // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-      if (appeared && !visibility.started) visibility.checkAgain()
-      if (pile.world) pile.world.resize(context.width, context.height)
-      else begin()
-      obstacles.measure()
-    },
-    // A chip may have got the focus before it had a size.
-    done: () => focus.bringIn(children.chipAt(focus.active().target)),
-  })
-  const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
-  const obstacles = createObstacles(context, pile)
-  const clicks = createClicks(context, children, pile, lifecycle)
-  const pointers = createPointers(context, children, pile, focus, lifecycle, clicks)
-
-  function begin() {
-    plan.begin(children.inOrder())
-    obstacles.enter()
-  }
+  const sizes = createSizes(context, pile, plan, obstacles, visibility, focus, withdraw)
+  const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus)
+  const clicks = createClicks(context, pile, lifecycle)
+  const pointers = createPointers(context, pile, focus, lifecycle, clicks)
 
   function restyle(target: EventTarget | null) {
-    const chip = children.chipAt(target)
+    const chip = chipAt(chips, target)
     if (chip?.width) pile.setSize(chip, chip.width, chip.height)
   }
 
   function collect() {
-    const gone = children.collect((chip) => {
+    // Chromium takes a chip that waits, and is clipped to nothing, for out of view: its images would never load.
+    for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+      lazy.setAttribute('loading', 'eager')
+    const { added, gone } = collectChips(root, chips)
+    for (const chip of added) {
       sizes.add(chip)
       // The chip may have come with the focus.
       if (chip.element.matches(':focus-within')) focus.on({ target: chip.element })
-    })
+    }
     gone.forEach(sizes.remove)
     withdraw(gone)
     obstacles.find()
@@ -4759,7 +4710,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
       pointers.letGo()
       pausing.current = false
       plan.show()
-      begin()
+      plan.begin()
       update()
     },
 
@@ -4811,8 +4762,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to
-   * 20,000. Chips come in from above whatever it is.
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to 20,000. Chips come
+   * in from above whatever it is.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
@@ -4827,8 +4778,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   push?: number | undefined
   /**
-   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage.
-   * Children with the attribute `data-static` are obstacles too, and stay where their own CSS puts them.
+   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage. Children with the
+   * attribute `data-static` are obstacles too, and stay where their own CSS puts them.
    */
   obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
   /**
@@ -5034,7 +4985,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
                 'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
             )}
           >
-            {/* React asks elements of an array for keys. Words alone are rendered anew after translation. */}
+            {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
             {typeof child === 'object' ? [child] : child}
           </div>
         ),

@@ -1,4 +1,3 @@
-import type { Children } from './children'
 import type { Context } from './context'
 import type { Lifecycle } from './lifecycle'
 import { CAPTURE, type Listen, stop } from './listeners'
@@ -9,12 +8,7 @@ import { CONTROL, chipUnder, isInside } from './targets'
 const HOP = 36
 
 /** Clicks on the chips of a stage: a tap lets its chip hop, and the click that ends a drag is stopped. */
-export function createClicks(
-  { root, view, update }: Context,
-  { chips }: Children,
-  pile: StagePile,
-  { isLive }: Lifecycle,
-) {
+export function createClicks({ root, view, chips, update }: Context, pile: StagePile, { isLive }: Lifecycle) {
   /** Whether the next click ends a drag. */
   let dragged = false
 

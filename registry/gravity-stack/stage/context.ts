@@ -1,3 +1,4 @@
+import type { Chip } from './chip'
 import type { Settings } from './props'
 
 export type View = typeof globalThis & Window
@@ -14,6 +15,8 @@ export interface Context {
   /** Whether the caller has paused the stage. */
   pausing: { current: boolean }
   settings: Settings
+  /** The chips by their elements, in the order of these. */
+  chips: Map<Element, Chip>
   /** px, size of the stage; zero while it has none. Written by `sizes`. */
   width: number
   height: number

@@ -1,4 +1,4 @@
-import type { Children } from './children'
+import { chipAt } from './children'
 import type { Chip } from './chip'
 import type { Context } from './context'
 import { CAPTURE, type Listen } from './listeners'
@@ -6,8 +6,7 @@ import type { StagePile } from './pile'
 
 /** Brings the chip with the focus to the front and into view; calls `hurry` if it waits for its release. */
 export function createFocus(
-  { root, view, still, pausing, update }: Context,
-  { chipAt }: Children,
+  { root, view, still, pausing, chips, update }: Context,
   pile: StagePile,
   hurry: () => void,
 ) {
@@ -27,7 +26,7 @@ export function createFocus(
     },
 
     on({ target }: { target: EventTarget | null }) {
-      const chip = chipAt(target)
+      const chip = chipAt(chips, target)
       if (!chip) return
       focus.toFront(chip)
       if (still.matches) return
@@ -50,8 +49,8 @@ export function createFocus(
     /** An event's target for the element that has the focus, in the page or the shadow tree. */
     active: () => ({ target: (root.getRootNode() as Document).activeElement }),
 
-    /** In a paused stage, where no time passes, puts a chip where it can be seen. */
-    bringIn(chip: Chip | undefined) {
+    /** In a paused stage, where no time passes, puts a chip, or that with the focus, where it can be seen. */
+    bringIn(chip = chipAt(chips, focus.active().target)) {
       if (chip && pile.world && pausing.current) pile.bringIn(chip)
     },
 

@@ -2,7 +2,7 @@ import type { Context } from './context'
 import type { Lifecycle } from './lifecycle'
 import type { Listen } from './listeners'
 import type { StagePile } from './pile'
-import { pointerMap } from './pointers'
+import { pointerMap } from './pointer-map'
 
 /**
  * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out

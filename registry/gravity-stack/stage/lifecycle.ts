@@ -1,4 +1,3 @@
-import type { Children } from './children'
 import { exposeAngle } from './chip'
 import type { Context } from './context'
 import type { Focus } from './focus'
@@ -18,9 +17,8 @@ export function createLifecycle(
   plan: Plan,
   visibility: Visibility,
   focus: Focus,
-  { chips }: Children,
 ) {
-  const { root, settings, still, pausing } = context
+  const { root, settings, still, pausing, chips } = context
   let state: StageState = 'static'
   const loop = createFrameLoop(context.view, (seconds) => {
     pile.advance(queue.clock + seconds)

@@ -8,7 +8,7 @@ import { addReleased, type Release, reach, releaseTime } from './release'
 
 describe('a world that follows another', () => {
   for (const kind of ['pills', 'badges', 'mixed'] as Kind[])
-    it(`goes on as that one does, bit for bit, wherever in the drop of ${kind} it begins to`, () => {
+    it(`takes the same steps as the other, bit for bit, wherever in the drop of ${kind} it starts`, () => {
       const { world } = worldOf(pourChips(kind, 40, 3))
       const other = createWorld({ width: 1, height: 1 })
       for (let part = 0; part < 12; part++) {
@@ -25,7 +25,7 @@ describe('a world that follows another', () => {
       }
     })
 
-  it('gives a new body the same id, and puts it where a removed one was', () => {
+  it('gives a new body the same id, that of a removed one', () => {
     const { world, ids } = worldOf(pourChips('pills', 12, 1))
     run(world, 1)
     world.remove(ids[4])
@@ -38,7 +38,7 @@ describe('a world that follows another', () => {
     expect(other.hash()).toBe(world.hash())
   })
 
-  it('tells when something but time has come to the other', () => {
+  it('tells when the other world was changed by more than time', () => {
     const { world, ids } = worldOf(pourChips('pills', 6, 1))
     const other = createWorld({ width: 1, height: 1 })
     const follows = () => {
@@ -66,7 +66,7 @@ describe('a world that follows another', () => {
     expect(follows()).toBe(false)
   })
 
-  it('does not wait for a hand that the other feels', () => {
+  it('comes to rest though a pointer holds a chip of the other world', () => {
     const { world, ids } = worldOf(pourChips('pills', 1, 1))
     world.grab(ids[0], 320, 100)
     run(world, 1)
@@ -100,7 +100,7 @@ function releases(kind: Kind, count: number, stagger: number) {
   return { chips, clock: 0, revision: 0 }
 }
 
-it('a look-ahead of any number of slices tells at which angle each chip will lie', () => {
+it('a look-ahead, in any number of slices, tells the angle at which each chip will lie', () => {
   const coming = releases('mixed', 30, 60)
   const shown = { world: createWorld(stage), chips: [] as Release[] }
   let told = 0

@@ -1,7 +1,7 @@
 import { cornerRadius } from './chip'
 import type { Context } from './context'
 import type { StagePile } from './pile'
-import { pointerMap } from './pointers'
+import { pointerMap } from './pointer-map'
 import { warn } from './props'
 import { EVERY_PERCENT } from './visibility'
 
@@ -182,3 +182,5 @@ export function createObstacles({ root, view, still, pausing, settings, update }
     },
   }
 }
+
+export type Obstacles = ReturnType<typeof createObstacles>

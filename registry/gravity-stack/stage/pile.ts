@@ -4,7 +4,7 @@ import type { Context } from './context'
 import { LONGEST_FRAME } from './frame-loop'
 import { launchMotion } from './launch'
 import { type LookAhead, uprightTurn } from './look-ahead'
-import { addReleased, reach } from './release'
+import { addReleased, type Pile, reach } from './release'
 import type { ReleaseQueue } from './release-queue'
 
 /**
@@ -67,15 +67,15 @@ export function createPile(
     /** The chips in the world, by the ids of their bodies. */
     chips: [] as Chip[],
 
-    /** Begins a drop of these chips, with the clock of the queue at `clock`. */
-    begin(chips: Chip[], clock: number) {
+    /** Begins a drop of all chips, with the clock of the queue at `clock`. */
+    begin(clock: number) {
       pile.world = createWorld({ ...settings, width: context.width, height: context.height })
       pile.chips = []
       queue.restart(clock)
-      for (const chip of chips) {
+      context.chips.forEach((chip) => {
         reset(chip)
         if (chip.width) queue.add(chip)
-      }
+      })
     },
 
     /** Lets the time pass until `end`, s on the clock of the queue, with the releases on the way. */
@@ -97,12 +97,7 @@ export function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased(
-        { world: pile.world!, chips: pile.chips },
-        chip,
-        context.width,
-        settings.gravity.y,
-      )
+      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity.y)
       chip.x = Number.NaN
     },
 

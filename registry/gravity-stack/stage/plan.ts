@@ -2,7 +2,9 @@ import { STEP } from '../solver/constants'
 import type { Chip } from './chip'
 import type { Context } from './context'
 import { type LookAhead, SLICE } from './look-ahead'
+import type { Obstacles } from './obstacles'
 import type { StagePile } from './pile'
+import type { Pile } from './release'
 import type { ReleaseQueue } from './release-queue'
 import type { Visibility } from './visibility'
 
@@ -18,6 +20,7 @@ export function createPlan(
   lookAhead: LookAhead<Chip>,
   pile: StagePile,
   visibility: Visibility,
+  obstacles: Obstacles,
 ) {
   const { settings } = context
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -27,9 +30,7 @@ export function createPlan(
     timer = undefined
     if (!enabled) return
     if (plan.settling) return settle()
-    if (
-      !lookAhead.advance({ world: pile.world!, chips: pile.chips }, queue, context.width, settings.gravity.y)
-    ) {
+    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity.y)) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()
     } else if (queue.clock < 0 && queue.latest < 0) {
@@ -55,10 +56,11 @@ export function createPlan(
     /** Whether the pile that lies there from the start is still falling, unseen. */
     settling: false,
 
-    /** Begins a drop of these chips. */
-    begin(chips: Chip[]) {
+    /** Begins a drop. */
+    begin() {
       plan.settling = !pile.world && !settings.initial
-      pile.begin(chips, settings.upright && !plan.settling ? -HEAD_START : 0)
+      pile.begin(settings.upright && !plan.settling ? -HEAD_START : 0)
+      obstacles.enter()
     },
 
     /** The row gives way to the pile. */

@@ -1,5 +1,4 @@
 import type { Grab } from '../solver/world'
-import type { Children } from './children'
 import { type Chip, draw, setState } from './chip'
 import type { Clicks } from './clicks'
 import type { Context } from './context'
@@ -7,6 +6,7 @@ import type { Focus } from './focus'
 import type { Lifecycle } from './lifecycle'
 import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
+import { pointerMap } from './pointer-map'
 import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
 
 /** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip (D-066). */
@@ -44,25 +44,6 @@ interface Press {
   grab?: Grab
 }
 
-/**
- * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
- * stage and of the elements around it do together.
- */
-export function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
-    return probe
-  })
-  // All probes are written before any is read, for one layout.
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
-  for (const probe of probes) probe.remove()
-  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
-    .scale(0.01)
-    .inverse()
-}
-
 function capture({ chip, down }: Press) {
   try {
     chip.element.setPointerCapture(down.pointerId)
@@ -73,8 +54,7 @@ function capture({ chip, down }: Press) {
 
 /** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
 export function createPointers(
-  { root, view, update }: Context,
-  { chips }: Children,
+  { root, view, chips, update }: Context,
   pile: StagePile,
   focus: Focus,
   { isLive }: Lifecycle,

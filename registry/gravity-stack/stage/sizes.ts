@@ -1,32 +1,29 @@
-import type { Children } from './children'
+import { chipAt } from './children'
 import type { Chip } from './chip'
 import type { Context } from './context'
+import type { Focus } from './focus'
+import type { Obstacles } from './obstacles'
 import type { StagePile } from './pile'
+import type { Plan } from './plan'
 import { warn } from './props'
+import type { Visibility } from './visibility'
 
-/** What a stage does when sizes change. */
-interface SizeEvents {
-  /** A chip has lost its size. */
-  emptied(chip: Chip): void
-  /** The stage has a size; before, it had none if `appeared`. */
-  stageSized(appeared: boolean): void
-  /** All that a paused stage shows has been brought in line. */
-  done(): void
-}
-
-/** Watches the sizes of a stage and its chips. */
+/** Watches the sizes of a stage and its chips; calls `withdraw` with chips that have lost theirs. */
 export function createSizes(
   context: Context,
-  { chips, chipAt }: Children,
   pile: StagePile,
-  { emptied, stageSized, done }: SizeEvents,
+  plan: Plan,
+  obstacles: Obstacles,
+  visibility: Visibility,
+  focus: Focus,
+  withdraw: (chips: Chip[]) => void,
 ) {
-  const { root, view } = context
+  const { root, view, chips } = context
   /** Nothing is watched while the chips stand in their row. */
   let watching = false
   const observer = new view.ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
-      const chip = chipAt(target)
+      const chip = chipAt(chips, target)
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
       else if (target === root) readStageSize()
     }
@@ -35,7 +32,8 @@ export function createSizes(
     // No time passes, but nothing may stay behind a wall or in another chip.
     pile.world.makeRoom()
     pile.draw()
-    done()
+    // A chip may have got the focus before it had a size.
+    focus.bringIn()
   })
 
   function readStageSize() {
@@ -43,7 +41,12 @@ export function createSizes(
     context.width = root.clientWidth
     context.height = root.clientHeight
     if (!(context.width * context.height)) return
-    stageSized(appeared)
+    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
+    if (appeared && !visibility.started) visibility.checkAgain()
+    if (pile.world) {
+      pile.world.resize(context.width, context.height)
+      obstacles.measure()
+    } else plan.begin()
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
       chips.forEach((chip) => {
@@ -58,7 +61,7 @@ export function createSizes(
     if (process.env.NODE_ENV !== 'production')
       warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
     chip.width = 0
-    emptied(chip)
+    withdraw([chip])
   }
 
   const sizes = {

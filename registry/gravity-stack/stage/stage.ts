@@ -1,4 +1,4 @@
-import { createChildren } from './children'
+import { chipAt, collectChips } from './children'
 import { type Chip, measureRadius } from './chip'
 import { createClicks } from './clicks'
 import type { Context, View } from './context'
@@ -29,7 +29,8 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const view = page.defaultView as View
   const still = view.matchMedia(STILL)
   const settings = {} as Settings
-  const context: Context = { root, view, still, pausing, settings, width: 0, height: 0, update }
+  const chips = new Map<Element, Chip>()
+  const context: Context = { root, view, still, pausing, settings, chips, width: 0, height: 0, update }
   /** Ends all listeners; there from when the stage comes near the view until it is detached. */
   let listening: AbortController | undefined
 
@@ -39,12 +40,12 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     pointers.recapture()
     update()
   })
-  const children = createChildren(root)
   const queue = createReleaseQueue()
   const lookAhead = createLookAhead<Chip>((chip) => {
     if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
   })
   const pile = createPile(context, queue, lookAhead, changes)
+  const obstacles = createObstacles(context, pile)
   const visibility = createVisibility(context, () => {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -55,45 +56,32 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     collect()
     update()
   })
-  const plan = createPlan(context, queue, lookAhead, pile, visibility)
-  const focus = createFocus(context, children, pile, () => {
+  const plan = createPlan(context, queue, lookAhead, pile, visibility, obstacles)
+  const focus = createFocus(context, pile, () => {
     visibility.start()
     queue.catchUp()
     queue.reschedule()
   })
-  const sizes = createSizes(context, children, pile, {
-    emptied: (chip) => withdraw([chip]),
-    stageSized(appeared) {
-      // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-      if (appeared && !visibility.started) visibility.checkAgain()
-      if (pile.world) pile.world.resize(context.width, context.height)
-      else begin()
-      obstacles.measure()
-    },
-    // A chip may have got the focus before it had a size.
-    done: () => focus.bringIn(children.chipAt(focus.active().target)),
-  })
-  const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus, children)
-  const obstacles = createObstacles(context, pile)
-  const clicks = createClicks(context, children, pile, lifecycle)
-  const pointers = createPointers(context, children, pile, focus, lifecycle, clicks)
-
-  function begin() {
-    plan.begin(children.inOrder())
-    obstacles.enter()
-  }
+  const sizes = createSizes(context, pile, plan, obstacles, visibility, focus, withdraw)
+  const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus)
+  const clicks = createClicks(context, pile, lifecycle)
+  const pointers = createPointers(context, pile, focus, lifecycle, clicks)
 
   function restyle(target: EventTarget | null) {
-    const chip = children.chipAt(target)
+    const chip = chipAt(chips, target)
     if (chip?.width) pile.setSize(chip, chip.width, chip.height)
   }
 
   function collect() {
-    const gone = children.collect((chip) => {
+    // Chromium takes a chip that waits, and is clipped to nothing, for out of view: its images would never load.
+    for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+      lazy.setAttribute('loading', 'eager')
+    const { added, gone } = collectChips(root, chips)
+    for (const chip of added) {
       sizes.add(chip)
       // The chip may have come with the focus.
       if (chip.element.matches(':focus-within')) focus.on({ target: chip.element })
-    })
+    }
     gone.forEach(sizes.remove)
     withdraw(gone)
     obstacles.find()
@@ -162,7 +150,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
       pointers.letGo()
       pausing.current = false
       plan.show()
-      begin()
+      plan.begin()
       update()
     },
 

@@ -1,0 +1,18 @@
+/**
+ * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
+ * stage and of the elements around it do together.
+ */
+export function pointerMap(root: HTMLElement, box: DOMRect) {
+  const probes = [0, 1, 2].map((i) => {
+    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
+    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
+    return probe
+  })
+  // All probes are written before any is read, for one layout.
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
+  for (const probe of probes) probe.remove()
+  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+    .scale(0.01)
+    .inverse()
+}
