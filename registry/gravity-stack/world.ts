@@ -1,4 +1,7 @@
 import {
+  ARM_NB,
+  ARM_TB,
+  CONTACT,
   CONTACTS_VISITED,
   FIRST_CHIP,
   IMPACTS_SOLVED,
@@ -6,14 +9,29 @@ import {
   INV_MASS,
   ITERATIONS_TAKEN,
   MANIFOLDS_MADE,
+  NORMAL_IMPULSE,
+  NORMAL_X,
+  NORMAL_Y,
+  SECOND,
   STATE,
   SUBSTEPS_TAKEN,
+  TANGENT_IMPULSE,
+  X,
+  Y,
 } from './solver/state'
 import { createWorld as createBareWorld, type WorldOptions } from './solver/world'
 
 export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/world'
 
 export type World = ReturnType<typeof createWorld>
+
+/** A pair of bodies that touch, by their ids. */
+export interface Contact {
+  a: number
+  b: number
+  /** px, where they touch, and density · px³/s², the mean force on `b` over the last step. */
+  points: { x: number; y: number; forceX: number; forceY: number }[]
+}
 
 /**
  * A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people
@@ -58,6 +76,44 @@ export function createWorld(options: WorldOptions) {
         /** Visits of contacts by the iterations over velocities. */
         rows: work[CONTACTS_VISITED],
       }
+    },
+
+    /** The ids of all bodies that can move. */
+    get ids(): number[] {
+      const ids: number[] = []
+      for (let id = FIRST_CHIP; id < bodies.count; id++)
+        if (bodies.alive[id] && bodies.density[id] < Infinity) ids.push(id)
+      return ids
+    },
+
+    /** All contacts as the last step has left them. Floor, walls and obstacles are bodies too. */
+    contacts(): Contact[] {
+      const { data, pair, points } = contacts
+      const found: Contact[] = []
+      for (let c = 0; c < contacts.count; c++) {
+        const [a, b] = [pair[2 * c], pair[2 * c + 1]]
+        if (b === 0 || points[c] === 0) continue
+        const k = c * CONTACT
+        const [nx, ny] = [data[k + NORMAL_X], data[k + NORMAL_Y]]
+        const normalImpulse = data[k + NORMAL_IMPULSE] + data[k + NORMAL_IMPULSE + SECOND]
+        const at = Array.from({ length: points[c] }, (_, point) => {
+          const record = k + point * SECOND
+          // From the centre of `b`, the point lies `ARM_TB` along the normal and `ARM_NB` across it.
+          const along = data[k + ARM_TB]
+          const across = data[record + ARM_NB]
+          const normal = data[record + NORMAL_IMPULSE] / world.scene.h
+          // Friction acts on both points together, and more where they are pressed more.
+          const tangent = normalImpulse > 0 ? (data[k + TANGENT_IMPULSE] * normal) / normalImpulse : 0
+          return {
+            x: bodies.state[b * STATE + X] + along * nx + across * ny,
+            y: bodies.state[b * STATE + Y] + along * ny - across * nx,
+            forceX: nx * normal - ny * tangent,
+            forceY: ny * normal + nx * tangent,
+          }
+        })
+        found.push({ a, b, points: at })
+      }
+      return found
     },
 
     /** Mass and moment of inertia of body `id`, in units of density·px² and density·px⁴. */
