@@ -73,7 +73,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   }
 
   function collect() {
-    // Chromium takes a chip that waits, and is clipped to nothing, for out of view: its images would never load.
+    // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
     for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
       lazy.setAttribute('loading', 'eager')
     const { added, gone } = collectChips(root, chips)
