@@ -2764,6 +2764,8 @@ interface Obstacle {
   x: number
   y: number
   reach: number
+  /** px to its sides, if that is something else. */
+  halfWidth?: number
 }
 
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
@@ -2787,7 +2789,10 @@ function releasePose(
   // has passed.
   obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
   for (const other of obstacles) {
-    if (Math.abs(other.x - x) < halfWidth + other.reach && Math.abs(other.y - y) < halfHeight + other.reach)
+    if (
+      Math.abs(other.x - x) < halfWidth + (other.halfWidth ?? other.reach) &&
+      Math.abs(other.y - y) < halfHeight + other.reach
+    )
       y = other.y - other.reach - halfHeight - 1
   }
   return {
@@ -2818,6 +2823,23 @@ function addReleased<T extends Release>(
     const { x, y } = world.read(id)
     if (y < reach) obstacles.push({ x, y, reach })
   })
+  // Nothing starts in an obstacle.
+  const { alive, box, density } = world.scene.bodies
+  density.forEach((dense, i) => {
+    const [left, top, right, bottom] = Array.from(box.subarray(i * 4, i * 4 + 4)) as [
+      number,
+      number,
+      number,
+      number,
+    ]
+    if (dense === Infinity && alive[i])
+      obstacles.push({
+        x: (left + right) / 2,
+        y: (top + bottom) / 2,
+        reach: (bottom - top) / 2,
+        halfWidth: (right - left) / 2,
+      })
+  })
   const { order, width, height, radius } = next
   const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
   const id = world.add({ width, height, radius, ...pose })
@@ -2836,22 +2858,30 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up and a little aside (px/s). Its spin (rad/s)
+ * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside (px/s). Its spin (rad/s)
  * brings a chip that is drawn at `angle` upright by the time it comes down.
  */
-function launchMotion(number: number, height: number, gravity: number, angle: number) {
+function launchMotion(
+  number: number,
+  height: number,
+  { gravity, pull: length }: { gravity: { x: number; y: number }; pull: number },
+  angle: number,
+) {
   const either = (channel: number) => 2 * scatter(number, channel) - 1
-  const pull = Math.max(gravity, LEAST_GRAVITY)
+  const pull = Math.max(length, LEAST_GRAVITY)
   const speed = Math.sqrt(2 * height * pull)
+  const vx = SIDEWAYS * speed * either(1)
   const vy = speed * (0.1 * either(2) - 0.9)
   const flight = (-2 * vy) / pull
   // The share of the spin that drag leaves on average over the flight, (1 − e⁻ˣ) / x, to within a thousandth.
   const drag = ANGULAR_DAMPING * flight
   const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
   const whole = 2 * Math.PI
+  const downX = length && gravity.x / length
+  const downY = length ? gravity.y / length : 1
   return {
-    vx: SIDEWAYS * speed * either(1),
-    vy,
+    vx: vx * downY + vy * downX,
+    vy: vy * downY - vx * downX,
     spin: (whole * Math.round(angle / whole) - angle) / turning,
   }
 }
@@ -2970,7 +3000,7 @@ function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   const gone = new Map(chips)
   chips.clear()
   for (const element of Array.from(root.children) as HTMLElement[]) {
-    if (!element.hasAttribute('data-slot')) continue
+    if (!element.matches('[data-slot]:not([data-static])')) continue
     let chip = gone.get(element)
     if (!chip) {
       chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
@@ -3174,11 +3204,18 @@ const LIMITS = {
   bounce: [BOUNCE, 1],
   friction: [FRICTION, 10],
   stagger: [150, 60000],
+  push: [0, 1000],
 } as const
+
+/** A ref, as React and callers make them. */
+type Target = { readonly current: Element | null }
 
 /** The props that a caller has given to the stage, unchecked. */
 interface StageProps {
-  gravity?: number | undefined
+  gravity?: number | Vector | undefined
+  ceiling: boolean
+  push?: number | undefined
+  obstacles?: Target | Target[] | undefined
   bounce?: number | undefined
   friction?: number | undefined
   stagger?: number | undefined
@@ -3190,7 +3227,13 @@ interface StageProps {
 }
 
 /** The props that hold: checked, and none left out. */
-type Settings = StageProps & { [name in keyof typeof LIMITS]: number }
+type Settings = Omit<StageProps, 'gravity'> & {
+  [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
+} & {
+  gravity: Vector
+  /** px/s², the length of `gravity`. */
+  pull: number
+}
 
 declare const process: { env: { NODE_ENV?: string } }
 
@@ -3223,18 +3266,41 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   return result
 }
 
+/** px/s² to the right and downwards: a number is downwards. */
+function checkedGravity(value: unknown): Vector {
+  const { x, y } = Object(value) as Vector
+  if (x === undefined && y === undefined) return { x: 0, y: checkedNumber('gravity', value) }
+  const [, most] = LIMITS.gravity
+  const part = (n: unknown) => (Number.isFinite(n) ? Math.min(Math.max(n as number, -most), most) : 0)
+  const vector = { x: part(x), y: part(y) }
+  if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
+    warn(
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, whose parts are no two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+    )
+  return vector
+}
+
 /** The settings that hold for what a caller gave. */
 function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial'] as const) {
+  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
     settings[name] = !!given[name]
     if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
       warn(
         `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
       )
   }
-  for (const name of Object.keys(LIMITS) as (keyof typeof LIMITS)[])
+  for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
+  const { x, y } = checkedGravity(given.gravity)
+  settings.gravity = { x, y }
+  settings.pull = Math.hypot(x, y)
+  // All that falls up would leave for good.
+  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
+    warn(
+      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
+    )
+  settings.ceiling ||= y < 0
   if (typeof given.onSettle !== 'function') {
     settings.onSettle = undefined
     // `ready && save` is how people leave a callback out.
@@ -3278,6 +3344,8 @@ interface Context {
  */
 const IN_VIEW = 0.25
 const FILLS_VIEW = 0.5
+/** Thresholds at which an observer tells what share of an element is in view. */
+const EVERY_PERCENT: number[] = Array.from({ length: 101 }, (_, i) => i / 100)
 /** ms until a stage that a transform has scaled to nothing is checked again (D-064). */
 const CHECK_AGAIN = 200
 
@@ -3316,9 +3384,10 @@ function createVisibility({ root, view, update }: Context, approach: () => void)
     },
     { rootMargin: '100%' },
   )
-  // Of a very tall stage even a hundredth may be all that fits into the window.
-  const threshold = Array.from({ length: 101 }, (_, i) => i / 100)
-  const observer = new view.IntersectionObserver((entries) => entries.forEach(inspect), { threshold })
+  const observer = new view.IntersectionObserver((entries) => entries.forEach(inspect), {
+    // Of a very tall stage even a hundredth may be all that fits into the window.
+    threshold: EVERY_PERCENT,
+  })
 
   function inspect(entry: IntersectionObserverEntry) {
     const { isIntersecting, intersectionRatio, intersectionRect: shown, boundingClientRect: whole } = entry
@@ -3482,7 +3551,7 @@ function createPile(
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
   function turnUnseen(chip: Chip, y: number, angle: number) {
-    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.gravity)
+    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.pull)
     if (y + chip.reach + fall < 0) return
     chip.turned = true
     // Before a chip is first drawn it is out of sight as well.
@@ -3525,7 +3594,7 @@ function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity)
+      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity.y)
       chip.x = Number.NaN
     },
 
@@ -3581,16 +3650,16 @@ function createPile(
       return pile.world!.grab(chip.id, x + offX, y + offY)
     },
 
-    /** Sends a chip about `height` px up. */
+    /** Sends a chip about `height` px up, which is against gravity. */
     launch(chip: Chip, height: number) {
       pile.touch()
-      pile.world!.place(chip.id, launchMotion(launches++, height, settings.gravity, chip.angle))
+      pile.world!.place(chip.id, launchMotion(launches++, height, settings, chip.angle))
     },
 
-    /** Releases chips anew that float above a stage without gravity, where they would stay for good. */
+    /** Releases chips anew that lie above a stage whose gravity would not bring them back. */
     recover() {
       // Only once until somebody does something: a full stage would push them out again and again.
-      if (settings.gravity || recovered) return
+      if (settings.gravity.y > Math.abs(settings.gravity.x) || recovered) return
       recovered = true
       pile.chips.forEach((chip) => {
         if (chip.y < -chip.reach) {
@@ -3618,6 +3687,203 @@ function createPile(
 
 type StagePile = ReturnType<typeof createPile>
 
+// stage/pointer-map: from the px of the page to those of the stage ──────────────────────────────────────────
+
+/**
+ * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
+ * stage and of the elements around it do together.
+ */
+function pointerMap(root: HTMLElement, box: DOMRect) {
+  const probes = [0, 1, 2].map((i) => {
+    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
+    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
+    return probe
+  })
+  // All probes are written before any is read, for one layout.
+  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
+  for (const probe of probes) probe.remove()
+  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
+    .scale(0.01)
+    .inverse()
+}
+
+// stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
+
+/** px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake no pile. */
+const UNNOTICED = 0.04
+
+/** An element that chips land on. */
+interface ObstacleElement {
+  /** In the world, or undefined, and as what: x, y, angle, width, height, radius, or nothing. */
+  id?: number | undefined
+  placed: number[]
+  /** Sees the element move or change its size. */
+  watch?: IntersectionObserver
+}
+
+/** Tells a developer what is wrong with the place or the size (px) of an obstacle. */
+function warnOfPlace(
+  { clientWidth, clientHeight }: HTMLElement,
+  x: number,
+  y: number,
+  angle: number,
+  width: number,
+  height: number,
+) {
+  const high = height * Math.abs(Math.cos(angle)) + width * Math.abs(Math.sin(angle))
+  if (width >= clientWidth && height >= clientHeight)
+    warn(
+      'an obstacle is as large as its stage and would leave no room, so chips fall through it. Make it smaller, or the stage larger.',
+    )
+  else if (!(width * height))
+    warn(
+      'an obstacle has no size, so chips fall through it. They land on it once it has one: give it a width and a height.',
+    )
+  else if (y - high / 2 < 0 && Math.abs(x - clientWidth / 2) < (clientWidth + width) / 2)
+    warn(
+      'an obstacle reaches out of the top of its stage and covers the way in, so chips may stay on it, unseen. Move it down, or make it smaller.',
+    )
+}
+
+/** The obstacles of a stage: children that stay where they are, and what refs lead to. */
+function createObstacles({ root, view, still, pausing, settings, update }: Context, pile: StagePile) {
+  const all = new Map<Element, ObstacleElement>()
+
+  function changed() {
+    update()
+    if (!pile.world || !pausing.current) return
+    // No time passes, but nothing may stay in what has moved.
+    pile.world.makeRoom()
+    pile.draw()
+  }
+
+  /** Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the element's own box. */
+  function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
+    const { clientWidth, clientHeight } = root.ownerDocument.documentElement
+    const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
+    // Of what is out of view all that can be seen is that it comes in.
+    const hidden = y > clientHeight || x > clientWidth || bottom < 0 || right < 0
+    let first = true
+    obstacle.watch?.disconnect()
+    obstacle.watch = new view.IntersectionObserver(
+      ([entry]) => {
+        const { boundingClientRect: now } = entry!
+        if (!first || now.x !== x || now.y !== y) measure()
+        first = false
+      },
+      {
+        root: root.ownerDocument,
+        rootMargin: hidden ? '0px' : `${insets.join('px ')}px`,
+        threshold: EVERY_PERCENT,
+      },
+    )
+    obstacle.watch.observe(element)
+  }
+
+  /** Brings the world in line with where the elements are. */
+  function measure() {
+    const { world } = pile
+    if (!world || !all.size) return
+    const box = root.getBoundingClientRect()
+    if (!(box.width * box.height)) return
+    const toStage = pointerMap(root, box)
+    let any = false
+    all.forEach((obstacle, element) => {
+      const rect = element.getBoundingClientRect()
+      watchPlace(element, obstacle, rect)
+      const style = getComputedStyle(element)
+      const own = new DOMMatrix(style.transform)
+      // Rounded, as engines disagree on the last bits.
+      const turned = Math.atan2(own.b, own.a) + ((Number.parseFloat(style.rotate) || 0) * Math.PI) / 180
+      const angle = Math.round(turned * 1e4) / 1e4
+      // The box around what is turned is larger than that, and has the same middle.
+      const scale = Math.hypot(own.a, own.b) * (Number.parseFloat(style.scale) || 1)
+      const { offsetWidth, offsetHeight } = element as HTMLElement
+      const unit = Math.hypot(toStage.a, toStage.b)
+      const width = angle ? scale * offsetWidth : unit * rect.width
+      const height = angle ? scale * offsetHeight : unit * rect.height
+      const { x, y } = toStage.transformPoint({
+        x: rect.x + rect.width / 2 - box.x,
+        y: rect.y + rect.height / 2 - box.y,
+      })
+      const radius = cornerRadius(style, width, height)
+      const large = width >= root.clientWidth && height >= root.clientHeight
+      const body = width * height > 0 && !large ? [x, y, angle, width, height, radius] : []
+      if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
+      const { placed } = obstacle
+      if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
+      any = true
+      obstacle.placed = body
+      if (!body[0]) {
+        world.remove(obstacle.id!)
+        obstacle.id = undefined
+      } else if (obstacle.id === undefined)
+        obstacle.id = world.add({ x, y, angle, width, height, radius, density: Infinity })
+      else {
+        world.place(obstacle.id, { x, y, angle })
+        world.reshape(obstacle.id, { width, height, radius })
+      }
+    })
+    if (any) changed()
+  }
+
+  return {
+    measure,
+
+    /** The pile has a new world, which knows none of the obstacles yet. */
+    enter() {
+      all.forEach((obstacle, element) => {
+        all.set(element, { ...obstacle, id: undefined, placed: [] })
+      })
+      measure()
+    },
+
+    /** Looks for obstacles anew. */
+    find() {
+      const refs = settings.obstacles ? [settings.obstacles].flat().map((ref) => ref?.current) : []
+      const elements = refs.filter((element) => element instanceof view.Element)
+      if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
+        warn(
+          'a ref among obstacles leads to no element yet, so chips fall through there. It is looked at again when the stage renders: give its element the ref, and render the stage once it is there.',
+        )
+      elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
+      if (still.matches) elements.length = 0
+      let fresh = false
+      all.forEach((obstacle, element) => {
+        if (elements.includes(element)) return
+        obstacle.watch?.disconnect()
+        pile.world?.remove(obstacle.id!)
+        all.delete(element)
+        changed()
+      })
+      for (const element of elements) {
+        if (element.contains(root)) {
+          if (process.env.NODE_ENV !== 'production')
+            warn(
+              'an obstacle is the stage itself or around it, so chips fall through it. Pass elements beside the stage, or give children data-static.',
+            )
+        } else if (!all.get(element)?.watch) {
+          fresh = true
+          all.set(element, { placed: [], ...all.get(element) })
+        }
+      }
+      if (fresh) measure()
+    },
+
+    /** Watches nothing any more, until it is told again what the obstacles are. */
+    stop() {
+      all.forEach((obstacle, element) => {
+        obstacle.watch?.disconnect()
+        const { id, placed } = obstacle
+        all.set(element, { id, placed })
+      })
+    },
+  }
+}
+
+type Obstacles = ReturnType<typeof createObstacles>
+
 // stage/plan: what is computed between frames ───────────────────────────────────────────────────────────────
 
 /** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
@@ -3632,6 +3898,7 @@ function createPlan(
   lookAhead: LookAhead<Chip>,
   pile: StagePile,
   visibility: Visibility,
+  obstacles: Obstacles,
 ) {
   const { settings } = context
   let timer: ReturnType<typeof setTimeout> | undefined
@@ -3641,7 +3908,7 @@ function createPlan(
     timer = undefined
     if (!enabled) return
     if (plan.settling) return settle()
-    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity)) {
+    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity.y)) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()
     } else if (queue.clock < 0 && queue.latest < 0) {
@@ -3671,6 +3938,7 @@ function createPlan(
     begin() {
       plan.settling = !pile.world && !settings.initial
       pile.begin(settings.upright && !plan.settling ? -HEAD_START : 0)
+      obstacles.enter()
     },
 
     /** The row gives way to the pile. */
@@ -3794,6 +4062,7 @@ function createSizes(
   context: Context,
   pile: StagePile,
   plan: Plan,
+  obstacles: Obstacles,
   visibility: Visibility,
   focus: Focus,
   withdraw: (chips: Chip[]) => void,
@@ -3823,8 +4092,10 @@ function createSizes(
     if (!(context.width * context.height)) return
     // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
     if (appeared && !visibility.started) visibility.checkAgain()
-    if (pile.world) pile.world.resize(context.width, context.height)
-    else plan.begin()
+    if (pile.world) {
+      pile.world.resize(context.width, context.height)
+      obstacles.measure()
+    } else plan.begin()
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
       chips.forEach((chip) => {
@@ -4086,25 +4357,6 @@ interface Press {
   grab?: Grab
 }
 
-/**
- * The map from the bounding box `box` of the stage to its own px. Three points tell what transforms of the
- * stage and of the elements around it do together.
- */
-function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
-    const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
-    return probe
-  })
-  // All probes are written before any is read, for one layout.
-  const [o, u, v] = probes.map((probe) => probe.getBoundingClientRect()) as [DOMRect, DOMRect, DOMRect]
-  for (const probe of probes) probe.remove()
-  return new DOMMatrix([u.x - o.x, u.y - o.y, v.x - o.x, v.y - o.y, o.x - box.x, o.y - box.y])
-    .scale(0.01)
-    .inverse()
-}
-
 function capture({ chip, down }: Press) {
   try {
     chip.element.setPointerCapture(down.pointerId)
@@ -4287,6 +4539,41 @@ function createPointers(
   }
 }
 
+// stage/hover: the way of a pointer over the stage ──────────────────────────────────────────────────────────
+
+/** s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out at once. */
+const BRIEFEST = 1 / 240
+const LONGEST = 1 / 30
+
+/** Pushes chips aside with the mouse or pen that moves over a stage while nothing is pressed. */
+function followHover(
+  on: Listen,
+  { root, view, settings, update }: Context,
+  pile: StagePile,
+  { isLive }: Lifecycle,
+) {
+  let toStage: DOMMatrix
+  let known: DOMRect | undefined
+  let last: { x: number; y: number; time: number } | undefined
+  // The window listens: a stage that lies over a page may let pointers through.
+  on(view, 'pointermove', ({ pointerType, buttons, clientX, clientY, timeStamp }: PointerEvent) => {
+    const before = last
+    last = undefined
+    if (buttons || pointerType === 'touch' || !isLive()) return
+    const box = root.getBoundingClientRect()
+    if (clientX < box.left || clientX > box.right || clientY < box.top || clientY > box.bottom) return
+    if (box.width !== known?.width || box.height !== known.height) toStage = pointerMap(root, box)
+    known = box
+    const { x, y } = toStage.transformPoint({ x: clientX - box.x, y: clientY - box.y })
+    last = { x, y, time: timeStamp / 1000 }
+    if (!before) return
+    const seconds = Math.min(Math.max(last.time - before.time, BRIEFEST), LONGEST)
+    pile.touch()
+    pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, seconds)
+    update()
+  })
+}
+
 // stage/stage: the parts, wired together ────────────────────────────────────────────────────────────────────
 
 /** While one holds, CSS has the chips stand in a row. The markup also asks whether there is script. */
@@ -4318,6 +4605,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
   })
   const pile = createPile(context, queue, lookAhead, changes)
+  const obstacles = createObstacles(context, pile)
   const visibility = createVisibility(context, () => {
     if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
       warn(
@@ -4328,13 +4616,13 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     collect()
     update()
   })
-  const plan = createPlan(context, queue, lookAhead, pile, visibility)
+  const plan = createPlan(context, queue, lookAhead, pile, visibility, obstacles)
   const focus = createFocus(context, pile, () => {
     visibility.start()
     queue.catchUp()
     queue.reschedule()
   })
-  const sizes = createSizes(context, pile, plan, visibility, focus, withdraw)
+  const sizes = createSizes(context, pile, plan, obstacles, visibility, focus, withdraw)
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus)
   const clicks = createClicks(context, pile, lifecycle)
   const pointers = createPointers(context, pile, focus, lifecycle, clicks)
@@ -4356,6 +4644,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     }
     gone.forEach(sizes.remove)
     withdraw(gone)
+    obstacles.find()
   }
 
   function withdraw(chips: Chip[]) {
@@ -4378,15 +4667,18 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     if (!settings.interactive) return
     pointers.listen(on)
     clicks.listen(on)
+    if (settings.push) followHover(on, context, pile, lifecycle)
   }
 
   /** Brings all in line with what is known. Every event ends here. */
   function update() {
     if (!listening) return
     // Asked here, as Chromium fires no event for a change that was read before: in a tab that is shown again.
-    if (sizes.watch(!still.matches) && !still.matches)
+    if (sizes.watch(!still.matches)) {
+      obstacles.find()
       // A chip that has the focus in the row does not wait for its release.
-      focus.on(focus.active())
+      if (!still.matches) focus.on(focus.active())
+    }
     lifecycle.update()
     if (!lifecycle.isLive()) pointers.letGo()
   }
@@ -4399,10 +4691,16 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
       queue.stagger = settings.stagger
-      if (listening && settings.interactive !== before.interactive) listen()
-      if (!pile.world) return
       const differs = (name: keyof Settings) => settings[name] !== before[name]
-      if (differs('gravity') || differs('bounce') || differs('friction')) pile.world.configure(settings)
+      if (listening) {
+        if (differs('interactive') || differs('push')) listen()
+        obstacles.find()
+      }
+      if (!pile.world) return
+      const { x, y } = settings.gravity
+      const turned = x !== before.gravity.x || y !== before.gravity.y
+      if (turned || differs('ceiling') || differs('bounce') || differs('friction'))
+        pile.world.configure(settings)
       if (differs('stagger')) queue.reschedule()
       update()
     },
@@ -4436,6 +4734,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
       listening = undefined
       plan.end()
       sizes.watch(false)
+      obstacles.stop()
       changes.disconnect()
     },
   }
@@ -4463,10 +4762,26 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Downward acceleration, px/s².
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to 20,000. Chips come
+   * in from above whatever it is.
    * @default 2600
    */
-  gravity?: number | undefined
+  gravity?: number | { x: number; y: number } | undefined
+  /**
+   * Closes the top for what has come in. Gravity that points up closes it by itself.
+   * @default false
+   */
+  ceiling?: boolean | undefined
+  /**
+   * Radius, px, of a disc that a mouse or a pen over the stage shoves chips aside with as it moves.
+   * @default 0
+   */
+  push?: number | undefined
+  /**
+   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage. Children with the
+   * attribute `data-static` are obstacles too, and stay where their own CSS puts them.
+   */
+  obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
   /**
    * Restitution: the share of its speed that a chip keeps when it bounces.
    * @default 0.18
@@ -4536,6 +4851,14 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
   })
 }
 
+/** Whether a child stays where its own CSS puts it. */
+function isObstacle(child: React.ReactNode) {
+  return (
+    React.isValidElement<{ 'data-static'?: unknown }>(child) &&
+    (child.props['data-static'] ?? false) !== false
+  )
+}
+
 // @refresh reset: in development, an edit anywhere in this file drops the chips again.
 
 /**
@@ -4549,6 +4872,9 @@ export const GravityStack: React.ForwardRefExoticComponent<
   {
     children,
     gravity,
+    ceiling = false,
+    push,
+    obstacles,
     bounce,
     stagger,
     interactive = true,
@@ -4580,6 +4906,9 @@ export const GravityStack: React.ForwardRefExoticComponent<
   React.useEffect(() => {
     stage.current?.setProps({
       gravity,
+      ceiling,
+      push,
+      obstacles,
       bounce,
       friction,
       stagger,
@@ -4626,37 +4955,41 @@ export const GravityStack: React.ForwardRefExoticComponent<
         className,
       )}
     >
-      {chipsOf(children).map(([key, child]) => (
-        <div
-          key={key}
-          data-slot="gravity-stack-chip"
-          data-state="waiting"
-          // Elements that a translator or an extension puts into mere words don't give the chip its shape.
-          data-words={typeof child === 'object' ? undefined : ''}
-          // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
-          // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
-          // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
-          // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
-          className={cn(
-            'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
-            // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
-            // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
-            // would slow Chromium down.
-            '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
-            'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
-            'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
-            'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
-            '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
-            !falls &&
-              'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
-            interactive &&
-              'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
-          )}
-        >
-          {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
-          {typeof child === 'object' ? [child] : child}
-        </div>
-      ))}
+      {chipsOf(children).map(([key, child]) =>
+        isObstacle(child) ? (
+          <React.Fragment key={key}>{child}</React.Fragment>
+        ) : (
+          <div
+            key={key}
+            data-slot="gravity-stack-chip"
+            data-state="waiting"
+            // Elements that a translator or an extension puts into mere words don't give the chip its shape.
+            data-words={typeof child === 'object' ? undefined : ''}
+            // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
+            // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+            // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
+            // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
+            className={cn(
+              'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
+              // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
+              // there. It is clipped to nothing: a transparent chip would still take presses, and its layer
+              // would slow Chromium down.
+              '[&:where([data-state=waiting])]:[clip-path:inset(50%)]',
+              'data-[state=held]:will-change-transform data-[state=falling]:will-change-transform group-data-halted/stack:will-change-auto!',
+              'forced-colors:*:not-focus-visible:outline forced-colors:*:not-focus-visible:-outline-offset-1',
+              'forced-colors:not-has-[*]:outline forced-colors:not-has-[*]:-outline-offset-1',
+              '[@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:relative [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:transform-none! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[clip-path:none]! [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:[--chip-angle:0deg]!',
+              !falls &&
+                'group-data-row/stack:relative group-data-row/stack:transform-none! group-data-row/stack:[clip-path:none]!',
+              interactive &&
+                'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
+            )}
+          >
+            {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
+            {typeof child === 'object' ? [child] : child}
+          </div>
+        ),
+      )}
     </div>
   )
 })
