@@ -2858,8 +2858,8 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside (px/s). Its spin (rad/s)
- * brings a chip that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside
+ * (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
  */
 function launchMotion(
   number: number,
@@ -3710,7 +3710,10 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
 
 // stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
 
-/** px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake no pile. */
+/**
+ * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
+ * no pile.
+ */
 const UNNOTICED = 0.04
 
 /** An element that chips land on. */
@@ -3758,7 +3761,10 @@ function createObstacles({ root, view, still, pausing, settings, update }: Conte
     pile.draw()
   }
 
-  /** Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the element's own box. */
+  /**
+   * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
+   * element's own box.
+   */
   function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
     const { clientWidth, clientHeight } = root.ownerDocument.documentElement
     const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
@@ -4541,7 +4547,10 @@ function createPointers(
 
 // stage/hover: the way of a pointer over the stage ──────────────────────────────────────────────────────────
 
-/** s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out at once. */
+/**
+ * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
+ * at once.
+ */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
 
@@ -4762,8 +4771,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to 20,000. Chips come
-   * in from above whatever it is.
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to
+   * 20,000. Chips come in from above whatever it is.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
@@ -4778,8 +4787,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   push?: number | undefined
   /**
-   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage. Children with the
-   * attribute `data-static` are obstacles too, and stay where their own CSS puts them.
+   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage.
+   * Children with the attribute `data-static` are obstacles too, and stay where their own CSS puts them.
    */
   obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
   /**
