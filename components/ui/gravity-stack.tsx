@@ -2965,6 +2965,30 @@ function draw(chip: Chip) {
   chip.hasAngle = false
 }
 
+/**
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
+ * (D-062).
+ */
+const VISIBLE = 0.0121
+
+/** Draws a chip in this pose unless nobody would see the difference, and says whether it is at rest. */
+function drawAt(chip: Chip, x: number, y: number, angle: number, asleep: boolean) {
+  const dx = x - chip.x
+  const dy = y - chip.y
+  const swung = (angle - chip.angle) * chip.reach
+  // All radii of this frame have been read by now: a read after a write would compute the styles twice.
+  if (Number.isNaN(chip.x)) applyCornerRadius(chip)
+  // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it
+  // lies, even if its last movement was too small to see.
+  if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
+    chip.x = x
+    chip.y = y
+    chip.angle = angle
+    draw(chip)
+  }
+  if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+}
+
 /** Tells styles the angle of a chip at rest, so that they can draw a shadow that falls down the screen. */
 function exposeAngle(chip: Chip) {
   const turns = chip.angle / (2 * Math.PI)
@@ -2996,6 +3020,9 @@ function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
 
 /** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
 function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
+  // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
+  for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+    lazy.setAttribute('loading', 'eager')
   const added: Chip[] = []
   const gone = new Map(chips)
   chips.clear()
@@ -3504,11 +3531,12 @@ function createFrameLoop(view: View, tick: (seconds: number) => void) {
 
 // stage/pile: the chips in their world ──────────────────────────────────────────────────────────────────────
 
-/**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
- * (D-062).
- */
-const VISIBLE = 0.0121
+function reset(chip: Chip) {
+  chip.id = -1
+  chip.turn = 0
+  chip.turned = false
+  setState(chip, 'waiting')
+}
 
 /** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
 function createPile(
@@ -3522,31 +3550,10 @@ function createPile(
   /** Whether chips that had left by the top have come back since somebody last did something. */
   let recovered = false
 
-  function reset(chip: Chip) {
-    chip.id = -1
-    chip.turn = 0
-    chip.turned = false
-    setState(chip, 'waiting')
-  }
-
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = pile.chips[id]!
     if (!chip.turned) turnUnseen(chip, y, bodyAngle)
-    const angle = bodyAngle + chip.turn
-    const dx = x - chip.x
-    const dy = y - chip.y
-    const swung = (angle - chip.angle) * chip.reach
-    // All radii of this frame have been read by now: a read after a write would compute the styles twice.
-    if (Number.isNaN(chip.x)) applyCornerRadius(chip)
-    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where
-    // it lies, even if its last movement was too small to see.
-    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
-      chip.x = x
-      chip.y = y
-      chip.angle = angle
-      draw(chip)
-    }
-    if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+    drawAt(chip, x, y, bodyAngle + chip.turn, asleep)
   }
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
@@ -3635,12 +3642,15 @@ function createPile(
 
     draw: () => pile.world!.eachMoved(drawMoved),
 
-    /** Turns all chips to what is upright where they lie, which nobody has seen yet. */
-    turnAll() {
-      pile.chips.forEach((chip) => {
-        chip.turned = true
-        if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
-      })
+    /**
+     * Something has another size or place. In a paused stage no time passes, but nothing may stay inside
+     * another.
+     */
+    makeRoom() {
+      context.update()
+      if (!pile.world || !context.pausing.current) return
+      pile.world.makeRoom()
+      pile.draw()
     },
 
     /** Takes hold of a chip at a point, px from its centre. */
@@ -3667,14 +3677,6 @@ function createPile(
           queue.add(chip)
         }
       })
-    },
-
-    /** Puts a chip that waits, or is above the stage, where it can be seen, without any time. */
-    bringIn(chip: Chip) {
-      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
-      if (chip.id < 0) pile.release(chip)
-      pile.world!.place(chip.id, { y: chip.reach })
-      pile.draw()
     },
 
     /** Somebody does something, after which chips may be released anew once more. */
@@ -3750,16 +3752,8 @@ function warnOfPlace(
 }
 
 /** The obstacles of a stage: children that stay where they are, and what refs lead to. */
-function createObstacles({ root, view, still, pausing, settings, update }: Context, pile: StagePile) {
+function createObstacles({ root, view, still, settings }: Context, pile: StagePile) {
   const all = new Map<Element, ObstacleElement>()
-
-  function changed() {
-    update()
-    if (!pile.world || !pausing.current) return
-    // No time passes, but nothing may stay in what has moved.
-    pile.world.makeRoom()
-    pile.draw()
-  }
 
   /**
    * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
@@ -3831,7 +3825,7 @@ function createObstacles({ root, view, still, pausing, settings, update }: Conte
         world.reshape(obstacle.id, { width, height, radius })
       }
     })
-    if (any) changed()
+    if (any) pile.makeRoom()
   }
 
   return {
@@ -3861,7 +3855,7 @@ function createObstacles({ root, view, still, pausing, settings, update }: Conte
         obstacle.watch?.disconnect()
         pile.world?.remove(obstacle.id!)
         all.delete(element)
-        changed()
+        pile.makeRoom()
       })
       for (const element of elements) {
         if (element.contains(root)) {
@@ -3930,7 +3924,11 @@ function createPlan(
       if (performance.now() > end) return plan.request()
       pile.advance(queue.clock + STEP)
     }
-    pile.turnAll()
+    // Nobody has seen the chips yet: each turns to what is upright where it lies.
+    pile.chips.forEach((chip) => {
+      chip.turned = true
+      if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
+    })
     plan.show()
     pile.draw()
     context.update()
@@ -4046,7 +4044,11 @@ function createFocus(
 
     /** In a paused stage, where no time passes, puts a chip, or that with the focus, where it can be seen. */
     bringIn(chip = chipAt(chips, focus.active().target)) {
-      if (chip && pile.world && pausing.current) pile.bringIn(chip)
+      if (!chip || !pile.world || !pausing.current) return
+      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+      if (chip.id < 0) pile.release(chip)
+      pile.world.place(chip.id, { y: chip.reach })
+      pile.draw()
     },
 
     /** Brings the chip that was followed into view once it lies. */
@@ -4082,11 +4084,7 @@ function createSizes(
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
       else if (target === root) readStageSize()
     }
-    context.update()
-    if (!pile.world || !context.pausing.current) return
-    // No time passes, but nothing may stay behind a wall or in another chip.
-    pile.world.makeRoom()
-    pile.draw()
+    pile.makeRoom()
     // A chip may have got the focus before it had a size.
     focus.bringIn()
   })
@@ -4371,7 +4369,33 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
+/** Takes over where the pointer is now, px of the stage. */
+function track(press: Press, event: PointerEvent, root: HTMLElement) {
+  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+  // has another size.
+  const box = root.getBoundingClientRect()
+  if (box.width !== press.box?.width || box.height !== press.box.height) press.toStage = pointerMap(root, box)
+  // The same event comes again after the page has scrolled, which moves the place of the press along.
+  if (event === press.at) {
+    press.fromX += box.x - press.box!.x
+    press.fromY += box.y - press.box!.y
+  }
+  press.box = box
+  const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
+  press.at = event
+  press.x = x
+  press.y = y
+  press.seconds = event.timeStamp / 1000
+}
+
+/** CSS transforms that shrink a chip towards the pointer, so that its elements stay under that for a click. */
+function pinchOf({ chip, offX, offY }: Press) {
+  const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
+  const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
+  return `translate(${c * offX + s * offY}px,${c * offY - s * offX}px)scale(${HELD_SCALE})`
+}
+
+/** Presses and drags on the chips of a stage, by as many pointers as there are. */
 function createPointers(
   { root, view, chips, update }: Context,
   pile: StagePile,
@@ -4424,7 +4448,7 @@ function createPointers(
       fromY: event.clientY,
       touch,
     } as Press
-    track(press, event)
+    track(press, event, root)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
     if (!presses.size) listenToPointers()
@@ -4434,25 +4458,6 @@ function createPointers(
       // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
-  }
-
-  function track(press: Press, event: PointerEvent) {
-    // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
-    // has another size.
-    const box = root.getBoundingClientRect()
-    if (box.width !== press.box?.width || box.height !== press.box.height)
-      press.toStage = pointerMap(root, box)
-    // The same event comes again after the page has scrolled, which moves the place of the press along.
-    if (event === press.at) {
-      press.fromX += box.x - press.box!.x
-      press.fromY += box.y - press.box!.y
-    }
-    press.box = box
-    const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
-    press.at = event
-    press.x = x
-    press.y = y
-    press.seconds = event.timeStamp / 1000
   }
 
   /** The page scrolls under pointers that stand still. */
@@ -4470,10 +4475,7 @@ function createPointers(
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
-    // The chip shrinks towards the pointer: an element that shrank away from under it would miss its click.
-    const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
-    const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
-    chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
+    chip.pinch = pinchOf(press)
     show(chip, 'held')
   }
 
@@ -4482,7 +4484,7 @@ function createPointers(
     if (!press) return
     // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
-    track(press, event)
+    track(press, event, root)
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
@@ -4590,6 +4592,13 @@ const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most (D-002). */
 const SHAKE = 230
 
+function warnWithoutStyles(root: HTMLElement) {
+  if (getComputedStyle(root).position === 'static')
+    warn(
+      'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
+    )
+}
+
 type Stage = ReturnType<typeof createStage>
 
 /** `pausing.current` is whether the caller has paused the stage, maybe before there is a stage. */
@@ -4616,10 +4625,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const pile = createPile(context, queue, lookAhead, changes)
   const obstacles = createObstacles(context, pile)
   const visibility = createVisibility(context, () => {
-    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
-      warn(
-        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
-      )
+    if (process.env.NODE_ENV !== 'production') warnWithoutStyles(root)
     changes.observe(root, { childList: true, subtree: true })
     listen()
     collect()
@@ -4642,9 +4648,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   }
 
   function collect() {
-    // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-    for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
-      lazy.setAttribute('loading', 'eager')
     const { added, gone } = collectChips(root, chips)
     for (const chip of added) {
       sizes.add(chip)

@@ -9,6 +9,9 @@ export function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
 
 /** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
 export function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
+  // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
+  for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+    lazy.setAttribute('loading', 'eager')
   const added: Chip[] = []
   const gone = new Map(chips)
   chips.clear()

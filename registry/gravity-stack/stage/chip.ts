@@ -77,6 +77,30 @@ export function draw(chip: Chip) {
   chip.hasAngle = false
 }
 
+/**
+ * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
+ * (D-062).
+ */
+const VISIBLE = 0.0121
+
+/** Draws a chip in this pose unless nobody would see the difference, and says whether it is at rest. */
+export function drawAt(chip: Chip, x: number, y: number, angle: number, asleep: boolean) {
+  const dx = x - chip.x
+  const dy = y - chip.y
+  const swung = (angle - chip.angle) * chip.reach
+  // All radii of this frame have been read by now: a read after a write would compute the styles twice.
+  if (Number.isNaN(chip.x)) applyCornerRadius(chip)
+  // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where it
+  // lies, even if its last movement was too small to see.
+  if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
+    chip.x = x
+    chip.y = y
+    chip.angle = angle
+    draw(chip)
+  }
+  if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+}
+
 /** Tells styles the angle of a chip at rest, so that they can draw a shadow that falls down the screen. */
 export function exposeAngle(chip: Chip) {
   const turns = chip.angle / (2 * Math.PI)

@@ -51,7 +51,11 @@ export function createFocus(
 
     /** In a paused stage, where no time passes, puts a chip, or that with the focus, where it can be seen. */
     bringIn(chip = chipAt(chips, focus.active().target)) {
-      if (chip && pile.world && pausing.current) pile.bringIn(chip)
+      if (!chip || !pile.world || !pausing.current) return
+      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
+      if (chip.id < 0) pile.release(chip)
+      pile.world.place(chip.id, { y: chip.reach })
+      pile.draw()
     },
 
     /** Brings the chip that was followed into view once it lies. */

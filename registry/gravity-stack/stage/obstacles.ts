@@ -45,16 +45,8 @@ function warnOfPlace(
 }
 
 /** The obstacles of a stage: children that stay where they are, and what refs lead to. */
-export function createObstacles({ root, view, still, pausing, settings, update }: Context, pile: StagePile) {
+export function createObstacles({ root, view, still, settings }: Context, pile: StagePile) {
   const all = new Map<Element, ObstacleElement>()
-
-  function changed() {
-    update()
-    if (!pile.world || !pausing.current) return
-    // No time passes, but nothing may stay in what has moved.
-    pile.world.makeRoom()
-    pile.draw()
-  }
 
   /**
    * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
@@ -126,7 +118,7 @@ export function createObstacles({ root, view, still, pausing, settings, update }
         world.reshape(obstacle.id, { width, height, radius })
       }
     })
-    if (any) changed()
+    if (any) pile.makeRoom()
   }
 
   return {
@@ -156,7 +148,7 @@ export function createObstacles({ root, view, still, pausing, settings, update }
         obstacle.watch?.disconnect()
         pile.world?.remove(obstacle.id!)
         all.delete(element)
-        changed()
+        pile.makeRoom()
       })
       for (const element of elements) {
         if (element.contains(root)) {

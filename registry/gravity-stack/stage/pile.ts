@@ -1,5 +1,5 @@
 import { createWorld, type World } from '../solver/world'
-import { applyCornerRadius, type Chip, draw, halfHeight, measureRadius, setState } from './chip'
+import { applyCornerRadius, type Chip, draw, drawAt, halfHeight, measureRadius, setState } from './chip'
 import type { Context } from './context'
 import { LONGEST_FRAME } from './frame-loop'
 import { launchMotion } from './launch'
@@ -7,11 +7,12 @@ import { type LookAhead, uprightTurn } from './look-ahead'
 import { addReleased, type Pile, reach } from './release'
 import type { ReleaseQueue } from './release-queue'
 
-/**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
- * (D-062).
- */
-const VISIBLE = 0.0121
+function reset(chip: Chip) {
+  chip.id = -1
+  chip.turn = 0
+  chip.turned = false
+  setState(chip, 'waiting')
+}
 
 /** The chips of a stage in their world: how they come into it, are drawn, change and leave. */
 export function createPile(
@@ -25,31 +26,10 @@ export function createPile(
   /** Whether chips that had left by the top have come back since somebody last did something. */
   let recovered = false
 
-  function reset(chip: Chip) {
-    chip.id = -1
-    chip.turn = 0
-    chip.turned = false
-    setState(chip, 'waiting')
-  }
-
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = pile.chips[id]!
     if (!chip.turned) turnUnseen(chip, y, bodyAngle)
-    const angle = bodyAngle + chip.turn
-    const dx = x - chip.x
-    const dy = y - chip.y
-    const swung = (angle - chip.angle) * chip.reach
-    // All radii of this frame have been read by now: a read after a write would compute the styles twice.
-    if (Number.isNaN(chip.x)) applyCornerRadius(chip)
-    // The comparison is false for a chip that was never drawn. A chip that has fallen asleep is drawn where
-    // it lies, even if its last movement was too small to see.
-    if (asleep || !(dx * dx + dy * dy + swung * swung < VISIBLE)) {
-      chip.x = x
-      chip.y = y
-      chip.angle = angle
-      draw(chip)
-    }
-    if (chip.state !== 'held') setState(chip, asleep ? 'resting' : 'falling')
+    drawAt(chip, x, y, bodyAngle + chip.turn, asleep)
   }
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
@@ -138,12 +118,15 @@ export function createPile(
 
     draw: () => pile.world!.eachMoved(drawMoved),
 
-    /** Turns all chips to what is upright where they lie, which nobody has seen yet. */
-    turnAll() {
-      pile.chips.forEach((chip) => {
-        chip.turned = true
-        if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
-      })
+    /**
+     * Something has another size or place. In a paused stage no time passes, but nothing may stay inside
+     * another.
+     */
+    makeRoom() {
+      context.update()
+      if (!pile.world || !context.pausing.current) return
+      pile.world.makeRoom()
+      pile.draw()
     },
 
     /** Takes hold of a chip at a point, px from its centre. */
@@ -170,14 +153,6 @@ export function createPile(
           queue.add(chip)
         }
       })
-    },
-
-    /** Puts a chip that waits, or is above the stage, where it can be seen, without any time. */
-    bringIn(chip: Chip) {
-      if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
-      if (chip.id < 0) pile.release(chip)
-      pile.world!.place(chip.id, { y: chip.reach })
-      pile.draw()
     },
 
     /** Somebody does something, after which chips may be released anew once more. */

@@ -1,7 +1,7 @@
 import { STEP } from '../solver/constants'
 import type { Chip } from './chip'
 import type { Context } from './context'
-import { type LookAhead, SLICE } from './look-ahead'
+import { type LookAhead, SLICE, uprightTurn } from './look-ahead'
 import type { Obstacles } from './obstacles'
 import type { StagePile } from './pile'
 import type { Pile } from './release'
@@ -46,7 +46,11 @@ export function createPlan(
       if (performance.now() > end) return plan.request()
       pile.advance(queue.clock + STEP)
     }
-    pile.turnAll()
+    // Nobody has seen the chips yet: each turns to what is upright where it lies.
+    pile.chips.forEach((chip) => {
+      chip.turned = true
+      if (settings.upright) chip.turn = uprightTurn(chip, pile.world!.read(chip.id).angle)
+    })
     plan.show()
     pile.draw()
     context.update()

@@ -52,7 +52,33 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** Presses, drags and taps on the chips of a stage, by as many pointers as there are. */
+/** Takes over where the pointer is now, px of the stage. */
+function track(press: Press, event: PointerEvent, root: HTMLElement) {
+  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+  // has another size.
+  const box = root.getBoundingClientRect()
+  if (box.width !== press.box?.width || box.height !== press.box.height) press.toStage = pointerMap(root, box)
+  // The same event comes again after the page has scrolled, which moves the place of the press along.
+  if (event === press.at) {
+    press.fromX += box.x - press.box!.x
+    press.fromY += box.y - press.box!.y
+  }
+  press.box = box
+  const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
+  press.at = event
+  press.x = x
+  press.y = y
+  press.seconds = event.timeStamp / 1000
+}
+
+/** CSS transforms that shrink a chip towards the pointer, so that its elements stay under that for a click. */
+function pinchOf({ chip, offX, offY }: Press) {
+  const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
+  const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
+  return `translate(${c * offX + s * offY}px,${c * offY - s * offX}px)scale(${HELD_SCALE})`
+}
+
+/** Presses and drags on the chips of a stage, by as many pointers as there are. */
 export function createPointers(
   { root, view, chips, update }: Context,
   pile: StagePile,
@@ -105,7 +131,7 @@ export function createPointers(
       fromY: event.clientY,
       touch,
     } as Press
-    track(press, event)
+    track(press, event, root)
     press.offX = press.x - chip.x
     press.offY = press.y - chip.y
     if (!presses.size) listenToPointers()
@@ -115,25 +141,6 @@ export function createPointers(
       // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
     } else hold(press)
-  }
-
-  function track(press: Press, event: PointerEvent) {
-    // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
-    // has another size.
-    const box = root.getBoundingClientRect()
-    if (box.width !== press.box?.width || box.height !== press.box.height)
-      press.toStage = pointerMap(root, box)
-    // The same event comes again after the page has scrolled, which moves the place of the press along.
-    if (event === press.at) {
-      press.fromX += box.x - press.box!.x
-      press.fromY += box.y - press.box!.y
-    }
-    press.box = box
-    const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
-    press.at = event
-    press.x = x
-    press.y = y
-    press.seconds = event.timeStamp / 1000
   }
 
   /** The page scrolls under pointers that stand still. */
@@ -151,10 +158,7 @@ export function createPointers(
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
     press.grab.moveTo(press.x, press.y, press.seconds)
-    // The chip shrinks towards the pointer: an element that shrank away from under it would miss its click.
-    const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
-    const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
-    chip.pinch = `translate(${c * press.offX + s * press.offY}px,${c * press.offY - s * press.offX}px)scale(${HELD_SCALE})`
+    chip.pinch = pinchOf(press)
     show(chip, 'held')
   }
 
@@ -163,7 +167,7 @@ export function createPointers(
     if (!press) return
     // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
-    track(press, event)
+    track(press, event, root)
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {

@@ -27,11 +27,7 @@ export function createSizes(
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
       else if (target === root) readStageSize()
     }
-    context.update()
-    if (!pile.world || !context.pausing.current) return
-    // No time passes, but nothing may stay behind a wall or in another chip.
-    pile.world.makeRoom()
-    pile.draw()
+    pile.makeRoom()
     // A chip may have got the focus before it had a size.
     focus.bringIn()
   })

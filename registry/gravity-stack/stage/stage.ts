@@ -21,6 +21,13 @@ const STILL = 'print, (prefers-reduced-motion: reduce)'
 /** px, how high a shake throws at most (D-002). */
 const SHAKE = 230
 
+function warnWithoutStyles(root: HTMLElement) {
+  if (getComputedStyle(root).position === 'static')
+    warn(
+      'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
+    )
+}
+
 export type Stage = ReturnType<typeof createStage>
 
 /** `pausing.current` is whether the caller has paused the stage, maybe before there is a stage. */
@@ -47,10 +54,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const pile = createPile(context, queue, lookAhead, changes)
   const obstacles = createObstacles(context, pile)
   const visibility = createVisibility(context, () => {
-    if (process.env.NODE_ENV !== 'production' && getComputedStyle(root).position === 'static')
-      warn(
-        'Tailwind has made no styles for it, so its words lie one over the other. Is Tailwind set up, and does it scan this file?',
-      )
+    if (process.env.NODE_ENV !== 'production') warnWithoutStyles(root)
     changes.observe(root, { childList: true, subtree: true })
     listen()
     collect()
@@ -73,9 +77,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   }
 
   function collect() {
-    // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-    for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
-      lazy.setAttribute('loading', 'eager')
     const { added, gone } = collectChips(root, chips)
     for (const chip of added) {
       sizes.add(chip)
