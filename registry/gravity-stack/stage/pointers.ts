@@ -71,7 +71,7 @@ function track(press: Press, event: PointerEvent, root: HTMLElement) {
   press.seconds = event.timeStamp / 1000
 }
 
-/** CSS transforms that shrink a chip towards the pointer, so that its elements stay under that for a click. */
+/** CSS transforms that shrink a chip towards the pointer, so that a click still meets its element. */
 function pinchOf({ chip, offX, offY }: Press) {
   const c = (1 - HELD_SCALE) * Math.cos(chip.angle)
   const s = (1 - HELD_SCALE) * Math.sin(chip.angle)
