@@ -3288,7 +3288,7 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${written(value)}, which is no number from 0 to ${most}, so ${result} stands in for it. Pass one that is, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range, or leave ${name} out.`,
     )
   return result
 }
@@ -3302,7 +3302,7 @@ function checkedGravity(value: unknown): Vector {
   const vector = { x: part(x), y: part(y) }
   if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
     warn(
-      `gravity is { x: ${written(x)}, y: ${written(y)} }, whose parts are no two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
     )
   return vector
 }
@@ -3333,7 +3333,7 @@ function checkedProps(given: StageProps): Settings {
     // `ready && save` is how people leave a callback out.
     if (process.env.NODE_ENV !== 'production' && given.onSettle)
       warn(
-        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is. Pass a function, or leave it out.`,
+        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is called. Pass a function, or leave onSettle out.`,
       )
   }
   return settings
@@ -3433,7 +3433,7 @@ function createVisibility({ root, view, update }: Context, approach: () => void)
         timer = setTimeout(visibility.checkAgain, CHECK_AGAIN)
       else if (process.env.NODE_ENV !== 'production')
         warn(
-          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and what is around it a width.`,
+          `a stage is ${clientWidth} px wide and ${clientHeight} px high, so nothing falls until it is larger. Give it a height such as h-80, and its container a width.`,
         )
     }
     update()
@@ -4997,7 +4997,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
                 'cursor-grab touch-pan-y touch-pinch-zoom group-data-halted/stack:cursor-auto group-data-halted/stack:touch-auto data-[state=held]:cursor-grabbing [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:cursor-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:touch-auto',
             )}
           >
-            {/* React asks elements of an array for keys. Words alone are rendered anew after a translator. */}
+            {/* React asks elements of an array for keys. Words alone are rendered anew after translation. */}
             {typeof child === 'object' ? [child] : child}
           </div>
         ),
