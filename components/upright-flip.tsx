@@ -3,8 +3,8 @@ import { chipColours } from '@/components/lab/draw'
 import { type LyingChip, uprightPile, uprightStage } from '@/lib/upright-pile'
 
 /**
- * One pile twice: as chips fall, and as the component shows it. The solver has left it so when the site was built; the page flips
- * it by CSS alone.
+ * One pile twice: as chips fall, and as the component shows it. The solver has left it so when the site was
+ * built; the page flips it by CSS alone.
  */
 export function UprightFlip() {
   const { pile, upsideDown } = uprightPile()

@@ -56,7 +56,10 @@ export async function facts(): Promise<Fact[]> {
   ]
 }
 
-/** What the latest version brought, for the home page and its Markdown: the first is shown, the others are told. */
+/**
+ * What the latest version brought, for the home page and its Markdown: the first is shown, the others are
+ * told.
+ */
 export const news = {
   title: 'Words land the right way up',
   text: 'A copy of the pile goes ahead and tells how each chip will lie. The chip then starts turned, so that its word ends upright. The pile is the same pile: flip it and watch the outlines.',

@@ -29,7 +29,10 @@ function fall(seed: number) {
 
 export type LyingChip = ReturnType<typeof fall>[number]
 
-/** A pile at rest, as the component's solver leaves it: for each chip its angle, and the turn that puts its word upright. */
+/**
+ * A pile at rest, as the component's solver leaves it: for each chip its angle, and the turn that puts its
+ * word upright.
+ */
 export function uprightPile() {
   const piles = Array.from({ length: drops }, (_, i) => fall(1 + i))
   const upsideDown = (pile: LyingChip[]) => pile.filter(isUpsideDown).length
