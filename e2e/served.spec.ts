@@ -172,8 +172,14 @@ test('every page has words of its own and a picture for those who share it', asy
     expect(await meta('og:url')).toBe(new URL(path, baseURL).href.replace(/\/$/, ''))
     await expect(page.locator('meta[name="twitter:card"]')).toHaveAttribute('content', 'summary_large_image')
     seen.add(`${await page.title()} ${await page.locator('meta[name=description]').getAttribute('content')}`)
-    const picture = new URL((await meta('og:image')) ?? '')
-    expect((await request.get(picture.pathname)).headers()['content-type']).toBe('image/png')
+    // The pile at rest, and the loop of its drop.
+    const pictures = await page
+      .locator('meta[property="og:image"]')
+      .evaluateAll((all) => all.map((one) => new URL(one.getAttribute('content') ?? '').pathname))
+    const types = await Promise.all(
+      pictures.map(async (at) => (await request.get(at)).headers()['content-type']),
+    )
+    expect(types).toEqual(['image/png', 'image/webp'])
   }
   expect(seen.size).toBe(pages.length - 1)
 })

@@ -66,6 +66,11 @@ export const news = {
   more: { title: 'How it works', href: '/docs/how-it-works' },
   others: [
     {
+      title: 'Obstacles, and a direction',
+      href: '/docs/gravity-stack#api-reference',
+      text: 'Chips land on your headings and buttons and go round them. Gravity points wherever you say, a ceiling closes the top, and a mouse may push.',
+    },
+    {
       title: 'A pile as a link',
       href: '/playground',
       text: 'The playground copies what you did as an address. It plays step for step, to the same bits, in every browser.',

@@ -116,7 +116,7 @@ const page = (title: string, description: string, ...blocks: string[]) =>
   `${[`# ${title}`, `> ${description}`, ...blocks].join('\n\n')}\n`
 
 /** The twin of a page of ours, which has the same address with .md behind it. */
-const twinOf = (href: string) => `${siteUrl}${href}.md`
+const twinOf = (href: string) => `${siteUrl}${href.replace(/(?=#|$)/, '.md')}`
 
 const home = async () =>
   page(
