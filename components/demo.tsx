@@ -14,8 +14,12 @@ const examples: Record<string, () => Promise<Record<string, ComponentType>>> = {
   'gravity-stack-elevation-demo': () => import('@/registry/examples/gravity-stack-elevation-demo'),
   'gravity-stack-footer-demo': () => import('@/registry/examples/gravity-stack-footer-demo'),
   'gravity-stack-links-demo': () => import('@/registry/examples/gravity-stack-links-demo'),
+  'gravity-stack-push-demo': () => import('@/registry/examples/gravity-stack-push-demo'),
+  'gravity-stack-rising-demo': () => import('@/registry/examples/gravity-stack-rising-demo'),
   'gravity-stack-shapes-demo': () => import('@/registry/examples/gravity-stack-shapes-demo'),
+  'gravity-stack-shelves-demo': () => import('@/registry/examples/gravity-stack-shelves-demo'),
   'gravity-stack-tag-cloud-demo': () => import('@/registry/examples/gravity-stack-tag-cloud-demo'),
+  'gravity-stack-tilt-demo': () => import('@/registry/examples/gravity-stack-tilt-demo'),
   'gravity-stack-tinted-demo': () => import('@/registry/examples/gravity-stack-tinted-demo'),
 }
 

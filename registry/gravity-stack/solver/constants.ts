@@ -137,7 +137,7 @@ export const THROW_SPEED = 200
 /** px/s that a chip keeps at most when it is let go, or pushed. */
 export const MAX_TOSS = 1800
 
-// Coming in, and pushes (D-050, D-051) ----------------------------------------------------------------------
+// Coming in, and pushes (D-051, D-052) ----------------------------------------------------------------------
 
 /** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
 export const ENTRY_SPEED = 240
