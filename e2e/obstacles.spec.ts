@@ -26,7 +26,9 @@ async function example(page: Page, word: string) {
   return { box, stage, middles, mean }
 }
 
-test('the example Shelves has chips at rest on its turned planks, not only on the floor', async ({ page }) => {
+test('the example Shelves has chips at rest on its turned planks, not only on the floor', async ({
+  page,
+}) => {
   const { stage, middles } = await example(page, 'lentils')
   await expect(stage.locator('[data-static]')).toHaveCount(3)
   const all = await middles()
@@ -49,7 +51,11 @@ test('in the example Push a mouse that moves over the pile shoves it', async ({ 
   await expect(stage).toHaveAttribute('data-state', 'resting')
 })
 
-test('in the example Tilt buttons move the pile, and a switch shows only where there is a sensor', async ({ page }) => {
+test('in the example Tilt buttons move the pile, and a switch shows only where there is a sensor', async ({
+  page,
+}) => {
+  // Nobody has to be asked, as in Firefox.
+  await page.addInitScript(() => Reflect.deleteProperty(DeviceOrientationEvent, 'requestPermission'))
   const { box, stage, mean } = await example(page, 'marble')
   const follow = box.getByRole('switch', { name: 'Follow the phone' })
   await expect(follow).toHaveCount(0)
@@ -59,7 +65,8 @@ test('in the example Tilt buttons move the pile, and a switch shows only where t
   expect(await mean('x')).toBeGreaterThan(0.6)
   const tilt = (beta: number, gamma: number) =>
     page.evaluate(
-      ([beta, gamma]) => window.dispatchEvent(new DeviceOrientationEvent('deviceorientation', { beta, gamma })),
+      ([beta, gamma]) =>
+        window.dispatchEvent(new DeviceOrientationEvent('deviceorientation', { beta, gamma })),
       [beta, gamma],
     )
   // The sensor tells of itself, and moves nothing before it is asked to.
@@ -77,11 +84,14 @@ test('in the example Tilt buttons move the pile, and a switch shows only where t
   await expect(follow).toHaveAttribute('aria-checked', 'false')
 })
 
-test('on iOS the example Tilt asks for the sensor in a tap, and stays off where that is denied', async ({ page }) => {
+test('on iOS the example Tilt asks for the sensor in a tap, and stays off where that is denied', async ({
+  page,
+}) => {
   await page.addInitScript(() => {
     const asked: string[] = []
     const answers = ['denied', 'granted']
     Object.assign(window, { asked })
+    Object.defineProperty(navigator, 'maxTouchPoints', { value: 5 })
     Object.assign(DeviceOrientationEvent, {
       requestPermission: async () => {
         asked.push(navigator.userActivation.isActive ? 'in a tap' : 'unasked')

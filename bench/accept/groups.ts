@@ -2,12 +2,14 @@ import { energy, held, knocked, stages, tossed } from './moved'
 import { exact, random, stacks } from './named'
 import { drops, pours } from './pours'
 import type { Group, Run } from './row'
+import { shelves } from './shelves'
 import { work } from './work'
 
 /** All that runs from seeds, in the order of the table. */
 export const groups: Group[] = [
   pours,
   drops,
+  shelves,
   stages,
   knocked,
   tossed,

@@ -149,7 +149,7 @@ const THROW_SPEED = 200
 /** px/s that a chip keeps at most when it is let go, or pushed. */
 const MAX_TOSS = 1800
 
-// Coming in, and pushes (D-050, D-051) ----------------------------------------------------------------------
+// Coming in, and pushes (D-051, D-052) ----------------------------------------------------------------------
 
 /** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
 const ENTRY_SPEED = 240

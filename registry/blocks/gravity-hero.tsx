@@ -44,7 +44,7 @@ export function GravityHero() {
       <div className="pointer-events-none relative flex flex-col items-center px-6 pt-40 text-center sm:pt-48">
         <h1
           ref={title}
-          className="w-fit max-w-2xl text-balance px-2 font-semibold text-4xl tracking-tight sm:text-6xl"
+          className="max-w-64 text-balance px-2 font-semibold text-4xl tracking-tight sm:max-w-md sm:text-6xl"
         >
           Work that finds its place
         </h1>

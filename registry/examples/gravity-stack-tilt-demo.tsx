@@ -19,7 +19,9 @@ export function GravityStackTiltDemo() {
 
   useEffect(() => {
     if (!window.DeviceOrientationEvent) return
-    if ((window.DeviceOrientationEvent as Asking).requestPermission) setSensor(true)
+    // Who has to be asked tells nothing before: a touch screen is what iPhones and iPads have.
+    if ((window.DeviceOrientationEvent as Asking).requestPermission && navigator.maxTouchPoints > 0)
+      setSensor(true)
     function turn({ beta, gamma }: DeviceOrientationEvent) {
       // Without a sensor there is an event too, with nothing in it.
       if (beta === null || gamma === null) return

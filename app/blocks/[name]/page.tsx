@@ -3,6 +3,7 @@ import type { ComponentType } from 'react'
 import { blocks } from '@/lib/blocks'
 
 const modules: Record<string, () => Promise<Record<string, ComponentType>>> = {
+  'gravity-hero': () => import('@/registry/blocks/gravity-hero'),
   'gravity-not-found': () => import('@/registry/blocks/gravity-not-found'),
   'gravity-footer': () => import('@/registry/blocks/gravity-footer'),
   'gravity-skills': () => import('@/registry/blocks/gravity-skills'),
