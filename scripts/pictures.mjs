@@ -1,6 +1,7 @@
-// Makes the pictures that links to the site show, from the component on the built home page:
+// Makes the pictures of README and of links to the site, from the component on the built home page:
 //   npm run build && node scripts/pictures.mjs
-// public/opengraph-image.png is the pile at rest, public/opengraph-loop.webp the drop before it.
+// public/opengraph-image.png is the pile at rest, public/opengraph-loop.webp the drop before it, .github/pile-*.png the pile
+// alone in both themes.
 import { createRequire } from 'node:module'
 import { join } from 'node:path'
 import { chromium } from '@playwright/test'
@@ -19,9 +20,13 @@ const rest = 2400
 const longest = 12_000
 
 /** The hero alone, as large as the picture. */
-const css = `
+const alone = `
   header, main > :not(:first-child), main ul, h1 ~ div { display: none !important }
-  main > :first-child section { position: fixed !important; inset: 0; z-index: 9999 }
+  main > :first-child section { position: fixed !important; inset: 0; z-index: 9999 }`
+const pileAlone = `${alone}
+  main > :first-child section > :first-child { visibility: hidden }
+  [data-slot=gravity-stack-chip] > * { font-size: 1.1rem !important; padding: 0.6rem 1.2rem !important }`
+const poster = `${alone}
   main > :first-child section > div:first-child { padding-top: 3.25rem !important; min-height: 0 !important }
   h1::before { content: 'Gravity Stack'; display: block; margin-bottom: 1.1rem; font-size: 1.9rem; font-weight: 500;
     letter-spacing: -0.01em; opacity: 0.6 }
@@ -31,29 +36,46 @@ const css = `
 
 await serveSite()
 const browser = await chromium.launch({ executablePath: findBrowser()?.path })
-const page = await browser.newPage({ viewport: size })
-// Time passes picture by picture, so that a busy machine makes the same loop as an idle one.
-await page.clock.install({ time: 0 })
-await page.addInitScript(() => {
-  Object.defineProperty(document, 'timeline', { get: () => ({ currentTime: performance.now() }) })
-})
-await page.goto(siteUrl)
-await page.addStyleTag({ content: css })
-await page.evaluate(() => document.fonts.ready)
-await page.clock.pauseAt(20_000)
-const stage = page.locator('[data-slot=gravity-stack]').first()
-const state = () => stage.getAttribute('data-state')
-for (let time = 0; (await state()) !== 'resting' && time < 2 * longest; time += 500)
-  await page.clock.runFor(500)
-await page.evaluate(() =>
-  [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Drop again').click(),
-)
 
+/** The home page with these styles and its pile dropped anew, in which time passes only when it is told to. */
+async function open(css, options) {
+  const page = await browser.newPage(options)
+  // Picture by picture: a busy machine makes the same loop as an idle one.
+  await page.clock.install({ time: 0 })
+  await page.addInitScript(() => {
+    Object.defineProperty(document, 'timeline', { get: () => ({ currentTime: performance.now() }) })
+  })
+  await page.goto(siteUrl)
+  await page.addStyleTag({ content: css })
+  await page.evaluate(() => document.fonts.ready)
+  await page.clock.pauseAt(20_000)
+  const stage = page.locator('[data-slot=gravity-stack]').first()
+  const isResting = async () => (await stage.getAttribute('data-state')) === 'resting'
+  // The drop of the chips as the styles have made them.
+  await page.evaluate(() =>
+    [...document.querySelectorAll('button')].find(({ textContent }) => textContent === 'Drop again').click(),
+  )
+  return { page, isResting }
+}
+
+for (const colorScheme of ['light', 'dark']) {
+  const viewport = { width: 850, height: 259 }
+  const { page, isResting } = await open(pileAlone, { viewport, colorScheme, deviceScaleFactor: 2 })
+  for (let time = 0; time < longest; time += 250) {
+    await page.clock.runFor(250)
+    if (await isResting()) break
+  }
+  const picture = sharp(await page.screenshot()).png({ palette: true, quality: 100, effort: 10 })
+  await picture.toFile(join(root, `.github/pile-${colorScheme}.png`))
+  await page.close()
+}
+
+const { page, isResting } = await open(poster, { viewport: size })
 const frames = []
 for (let time = 0; time < longest; time += interval) {
   await page.clock.runFor(interval)
   frames.push(await page.screenshot())
-  if ((await state()) === 'resting') break
+  if (await isResting()) break
 }
 const last = frames.at(-1)
 await sharp(last)
@@ -71,6 +93,6 @@ const delay = small.map((_, i) => (i === small.length - 1 ? rest : interval))
 await sharp(small, { join: { animated: true } })
   .webp({ loop: 0, delay, quality: 80, effort: 4 })
   .toFile(join(root, 'public/opengraph-loop.webp'))
-console.log(`${frames.length} pictures, ${await state()}`)
+console.log(`${frames.length} pictures of the loop; at rest in the last: ${await isResting()}`)
 await browser.close()
 process.exit(0)
