@@ -22,8 +22,8 @@ const tints = [
 ]
 
 /**
- * The first screen of a site. The stage lies under all of it, and heading and button are what the chips land on: pass your
- * own elements to `obstacles`.
+ * The first screen of a site. The stage lies under all of it, and heading and button are what the chips land
+ * on: pass your own elements to `obstacles`.
  */
 export function GravityHero() {
   const title = useRef<HTMLHeadingElement>(null)

@@ -2,7 +2,9 @@ import { GravityStack } from '@/components/ui/gravity-stack'
 
 const words = 'flour sugar salt rice oats beans lentils honey coffee tea cocoa pepper'.split(' ')
 
-/** A child with `data-static` is an obstacle: it stays where its own classes put it, turned as they turn it. */
+/**
+ * A child with `data-static` is an obstacle: it stays where its own classes put it, turned as they turn it.
+ */
 export function GravityStackShelvesDemo() {
   const plank = 'absolute h-3 w-2/5 rounded-full bg-stone-500 dark:bg-stone-400'
   return (

@@ -11,7 +11,10 @@ const directions = { Left: [-1, 0], Up: [0, -1], Down: [0, 1], Right: [1, 0] } a
 /** On iOS a page has to ask before it is told how the phone is held, and may do so in a tap only. */
 type Asking = { requestPermission?: () => Promise<'granted' | 'denied'> }
 
-/** The pile follows the phone. Buttons do the same, and a switch turns the following off: no function needs a tilt. */
+/**
+ * The pile follows the phone. Buttons do the same, and a switch turns the following off: no function needs a
+ * tilt.
+ */
 export function GravityStackTiltDemo() {
   const [gravity, setGravity] = useState({ x: 0, y: pull })
   const [sensor, setSensor] = useState(false)

@@ -6,7 +6,7 @@ import { pointerMap } from './pointer-map'
 
 /**
  * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
- * at once.
+ * at once (D-052).
  */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30

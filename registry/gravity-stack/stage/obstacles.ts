@@ -7,7 +7,7 @@ import { EVERY_PERCENT } from './visibility'
 
 /**
  * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
- * no pile.
+ * no pile (D-050).
  */
 const UNNOTICED = 0.04
 
