@@ -3714,7 +3714,7 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
 
 /**
  * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
- * no pile.
+ * no pile (D-050).
  */
 const UNNOTICED = 0.04
 
@@ -4551,7 +4551,7 @@ function createPointers(
 
 /**
  * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
- * at once.
+ * at once (D-052).
  */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
