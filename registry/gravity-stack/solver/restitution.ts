@@ -17,6 +17,7 @@ import {
 } from './contact'
 import { iterate } from './contact-solver'
 import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
+import { gatherContacts, wake } from './sleep'
 import {
   ARM_TA,
   ARM_TB,
@@ -93,11 +94,11 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
   return soonest < Infinity
 }
 
-/** Queues contact `c` if it will hit. */
-export function queueImpact(simulation: Simulation, c: number): void {
+/** Queues contact `c` if it will hit; returns whether it will. */
+export function queueImpact(simulation: Simulation, c: number): boolean {
   const { contacts } = simulation
   const { queue, queueTime } = contacts
-  if (contacts.queueCount >= queue.length || !foreseeImpact(simulation, c)) return
+  if (contacts.queueCount >= queue.length || !foreseeImpact(simulation, c)) return false
   let n = contacts.queueCount++
   for (; n > contacts.queueFirst && queueTime[n - 1] > ahead[0]; n--) {
     queue[n] = queue[n - 1]
@@ -105,6 +106,7 @@ export function queueImpact(simulation: Simulation, c: number): void {
   }
   queue[n] = c
   queueTime[n] = ahead[0]
+  return true
 }
 
 /** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
@@ -135,7 +137,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
 function solveImpact(simulation: Simulation, c: number): void {
   const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, next, pair, points, live } = contacts
-  const { asleep, changed, knocked, moved, state, motion } = bodies
+  const { changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
   if (!foreseeImpact(simulation, c)) return
   // Measured again at the time of impact until that time stands still.
@@ -200,21 +202,24 @@ function solveImpact(simulation: Simulation, c: number): void {
     const i = pair[2 * c + side]
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
-      if (other === c || asleep[pair[edge ^ 1]] > 0) continue
+      if (other === c) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
-      queueImpact(simulation, other)
+      // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
+      if (queueImpact(simulation, other)) wake(simulation, pair[edge ^ 1])
     }
   }
 }
 
 /** Solves the impacts of the sub-step, each at its time. */
 export function solveImpacts(simulation: Simulation): void {
-  const { contacts } = simulation
+  const { bodies, contacts } = simulation
+  const { awakeCount } = bodies
   for (let n = 0; n < contacts.queueCount; n++) {
     contacts.queueFirst = n + 1
     solveImpact(simulation, contacts.queue[n])
   }
+  if (bodies.awakeCount > awakeCount) gatherContacts(simulation)
   contacts.queueCount = contacts.queueFirst = 0
 }

@@ -16,11 +16,13 @@ import {
   type Bodies,
   CONTACT,
   EXTENT,
+  MOTION,
   SECOND,
   SHAPE,
   type Simulation,
   SPIN,
   STATE,
+  STRUCK_AT,
   VX,
   X,
 } from './state'
@@ -64,6 +66,7 @@ export function updateSleep({ bodies, contacts, pull }: Simulation): void {
     if (groupRest[findGroup(parent, i)] >= REST_TIME) {
       asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
+      bodies.before.set(state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
     } else awake[bodies.awakeCount++] = i
   }
 }
@@ -85,8 +88,8 @@ export function wakeAlone(bodies: Bodies, i: number): void {
   bodies.asleep[i] = 0
   bodies.rest[i * 4 + 3] = 0
   bodies.undrawn[i] = 1
+  bodies.motion[i * MOTION + STRUCK_AT] = 0
   bodies.awake[bodies.awakeCount++] = i
-  bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
 }
 
 /** Wakes body `i` and all that touch it, whether they carry anything or not. */

@@ -207,11 +207,10 @@ export function createWorld(options: WorldOptions) {
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
       scene.revision++
-      const { state, before, awake } = bodies
+      const { state, before } = bodies
       const shift = (sign: number) => {
-        for (let n = 0; n < bodies.awakeCount; n++)
-          for (let axis = 0; axis < 3; axis++)
-            before[awake[n] * 3 + axis] += sign * state[awake[n] * STATE + axis]
+        for (let i = FIRST_CHIP; i < bodies.count; i++)
+          for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
       }
       // What is drawn lies between two poses: both move by as much.
       shift(-1)
