@@ -62,11 +62,17 @@ export const WALL_RECYCLE_DISTANCE = 0.001
 export const LOADED_CLOSING = 0.1
 /** px/s. Change by the contact solver from which a warm start was wrong, as it is after an impact (D-023). */
 export const WRONG_WARM_START = 50
+/**
+ * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as steep as friction
+ * is strong creeps for ever, with more it holds on steeper slopes (D-029).
+ */
+export const STICTION = 0.3
 /** Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten seconds. */
 export const ROLLING_RESISTANCE = 0.1
 /** Share of a spin that rolling resistance takes in a sub-step while it can. More is stiffer. */
 export const ROLLING_SHARE = 0.2
-
+/** The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples (D-024). */
+export const ROCKING_SHARE = 0.02
 /**
  * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one point: resistance
  * that holds would freeze it there (D-024).

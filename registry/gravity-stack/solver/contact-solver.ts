@@ -1,3 +1,4 @@
+import { SLOW_CONTACT, STICTION } from './constants'
 import {
   ARM_NA,
   ARM_NB,
@@ -37,6 +38,10 @@ import {
 export function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation
   const { tolerance, relaxation } = regime
+  // What nothing brakes in the air slides as Coulomb says: so it is measured.
+  const stiction = simulation.air.fade < 1 ? STICTION : 0
+  const atRest = friction * (1 + stiction)
+  const loss = (friction * stiction) / SLOW_CONTACT
   const { state: s, changed } = bodies
   const { data: d, live, pair, points } = contacts
   let latest = start
@@ -127,8 +132,8 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
     const ta = d[k + ARM_TA]
     const tb = d[k + ARM_TB]
     const oldT = d[k + TANGENT_IMPULSE]
-    const limit = sum * friction
     const slip = nx * vy - ny * vx + tb * spinB - ta * spinA - d[k + TANGENT_BIAS]
+    const limit = sum * Math.max(friction, atRest - loss * Math.abs(slip))
     let t = oldT - relaxation * d[k + TANGENT_MASS] * slip
     if (t > limit) t = limit
     else if (t < -limit) t = -limit

@@ -6,8 +6,10 @@ import {
   MAX_SPEED,
   RESTING_SPEED,
   RESTING_TOLERANCE,
+  ROCKING_SHARE,
   ROLLING_RESISTANCE,
   ROLLING_SHARE,
+  SLOW_CONTACT,
   WRONG_WARM_START,
 } from './constants'
 import {
@@ -96,10 +98,13 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
-    const most = (rolling * (Math.abs(warmX) + Math.abs(warmY))) / extent
+    // At rest it is twice as strong, or a slope as steep as it is would let a disc creep for ever.
+    const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
+    const most = (rolling * (1 + slow) * (Math.abs(warmX) + Math.abs(warmY))) / extent
     const freeSpin = spinAir.fade * spin + warmSpin
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
-    const rollingImpulse = last - supported[i] * ROLLING_SHARE * (freeSpin + last)
+    const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
+    const rollingImpulse = last - share * (freeSpin + last)
     motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX

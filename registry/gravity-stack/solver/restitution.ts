@@ -137,7 +137,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
 function solveImpact(simulation: Simulation, c: number): void {
   const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, next, pair, points, live } = contacts
-  const { changed, knocked, moved, state, motion } = bodies
+  const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
   if (!foreseeImpact(simulation, c)) return
   // Measured again at the time of impact until that time stands still.
@@ -207,7 +207,7 @@ function solveImpact(simulation: Simulation, c: number): void {
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
       // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
-      if (queueImpact(simulation, other)) wake(simulation, pair[edge ^ 1])
+      if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }
   }
 }

@@ -53,7 +53,7 @@ function creeping(
     world.step(frame)
     const { vx, vy } = world.read(ids[3])
     const now = Math.hypot(vx, vy)
-    if (now > 0.5 && now < 20) slow++
+    if (now > 0.5 && now < 10) slow++
   }
   return slow
 }
