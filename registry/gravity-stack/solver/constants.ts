@@ -81,7 +81,7 @@ export const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 export const IMPACT_ITERATIONS = 24
 /** px by which chips that graze one another would miss, and sine of the angle to a surface that counts as along it (D-012). */
-export const GRAZE = 0.1
+export const GRAZE = 0.05
 /** px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit at once. */
 export const IMPACT_TOGETHER = 0.05
 
@@ -100,7 +100,7 @@ export const MAX_CORRECTION = 4
 export const DEEP_OVERLAP = 0.02
 /** px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be stirred. */
 export const SLOW_CONTACT = 10
-/** Most corrections of slow contacts in a step. Fewer let a jam last. */
+/** Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam last. */
 export const CORRECTIONS = 64
 /** px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it there (D-013). */
 export const WALL_OVERLAP = 0.9

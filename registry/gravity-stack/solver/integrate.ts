@@ -23,6 +23,7 @@ import {
   INDEX,
   INV_MASS,
   MOTION,
+  RADIUS,
   ROLLING_IMPULSE,
   SEEN_ANGLE,
   SEEN_X,
@@ -74,7 +75,7 @@ export function trackTravel({ bodies, h }: Simulation): void {
 }
 
 /** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
-export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
+export function integrateVelocities({ bodies, gravity, h, air, spinAir }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -98,9 +99,10 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
-    // At rest it is twice as strong, or a slope as steep as it is would let a disc creep for ever.
+    // At rest a disc has twice as much, or a slope as steep as it is strong would let it creep for ever.
     const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
-    const most = (rolling * (1 + slow) * (Math.abs(warmX) + Math.abs(warmY))) / extent
+    const round = shape[i * SHAPE + RADIUS] / extent
+    const most = (rolling * (1 + slow * round) * (Math.abs(warmX) + Math.abs(warmY))) / extent
     const freeSpin = spinAir.fade * spin + warmSpin
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
     const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
@@ -111,7 +113,7 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    changed[i] = speed > regime.tolerance || moved[i] > 0 ? 0 : NEVER
+    changed[i] = speed > RESTING_SPEED || moved[i] > 0 ? 0 : NEVER
   }
 }
 

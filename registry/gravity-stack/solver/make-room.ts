@@ -2,9 +2,12 @@ import { updatePairs } from './broad-phase'
 import { CORRECTIONS, ROOM_VISITS, SPECULATIVE_DISTANCE } from './constants'
 import { updateContact } from './contact'
 import { LEAD, manifold, WIDEST } from './manifold'
-import { correctPositions, keepInside, liftWedged } from './position-correction'
+import { correctPositions, liftWedged } from './position-correction'
 import { gatherContacts } from './sleep'
 import type { Simulation } from './state'
+
+/** Corrections in a row: more would push along normals that no longer hold. */
+const PASSES = CORRECTIONS / 4
 
 /**
  * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity
@@ -26,11 +29,10 @@ export function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < CORRECTIONS && correctPositions(simulation, false)) passes++
-    keepInside(simulation)
+    while (passes < PASSES && correctPositions(simulation, false)) passes++
     visits -= (passes + 1) * nearCount
     // A row between two walls that come nearer has room only upwards.
-    if (passes === CORRECTIONS) liftWedged(simulation)
+    if (passes === PASSES) liftWedged(simulation)
     if (passes === 0) simulation.cramped = 0
   }
 }

@@ -17,6 +17,7 @@ import { updateEntry } from './entry'
 import { makeRoom } from './make-room'
 import { dampingOver, grow, MAX_DAMPING } from './math'
 import { createJoint, movePointer, throwBody } from './mouse-joint'
+import { keepInside } from './position-correction'
 import { pushBodies } from './push'
 import { wake, wakeAlone, wakeTouching } from './sleep'
 import {
@@ -215,6 +216,7 @@ export function createWorld(options: WorldOptions) {
       // What is drawn lies between two poses: both move by as much.
       shift(-1)
       makeRoom(scene)
+      keepInside(scene)
       shift(1)
     },
 
