@@ -75,7 +75,7 @@ export function trackTravel({ bodies, h }: Simulation): void {
 }
 
 /** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
-export function integrateVelocities({ bodies, gravity, h, air, spinAir }: Simulation): void {
+export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
   // What nothing brakes in the air rolls for ever as well: so it is measured.
@@ -113,7 +113,7 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir }: Simula
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    changed[i] = speed > RESTING_SPEED || moved[i] > 0 ? 0 : NEVER
+    changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }
 }
 
