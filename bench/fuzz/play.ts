@@ -84,7 +84,10 @@ export function playFuzz(given: FuzzScene, only?: Check, made = new Set<Check>()
   const ask = asked(scene)
   if (only && only in ask && !ask[only as keyof typeof ask]) return
   const world = createWorld({ width: given.width, height: given.height, ...given.conditions })
-  const ids = given.chips.map((chip) => world.add(chip))
+  // A density without end makes an obstacle, which stays where it is put, in the floor as well.
+  const ids = given.chips.map((chip) =>
+    world.add({ ...chip, density: chip.density === Number.POSITIVE_INFINITY ? 1 : chip.density }),
+  )
   let chips: (Chip | undefined)[] = [...scene.chips]
   const stage = { width: scene.width, height: scene.height }
   const drags: { until: number; release(): void }[] = []
