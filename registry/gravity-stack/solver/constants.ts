@@ -54,7 +54,7 @@ export const SPECULATIVE_DISTANCE = 1.5
 /** Sub-steps that a contact is looked for ahead of time. More than one, as a body may gain speed in it. */
 export const LOOKAHEAD = 1.25
 /** px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often (D-022). */
-export const RECYCLE_DISTANCE = 0.25
+export const RECYCLE_DISTANCE = 0.1
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 export const WALL_RECYCLE_DISTANCE = 0.001
 

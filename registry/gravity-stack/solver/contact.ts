@@ -1,5 +1,5 @@
 import { isStatic } from './body'
-import { GRAZE } from './constants'
+import { GRAZE, SLOW_CONTACT } from './constants'
 import {
   ACROSS,
   ARM_AX,
@@ -153,7 +153,9 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vx = state[b * STATE + VX] - state[a * STATE + VX]
   const vy = state[b * STATE + VY] - state[a * STATE + VY]
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
-  return manifold[ACROSS] < GRAZE && approach > GRAZE * Math.sqrt(vx * vx + vy * vy)
+  const speed = Math.sqrt(vx * vx + vy * vy)
+  // Slow ones are pushed apart instead, or a jam would sleep as it is.
+  return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
 }
 
 /**
