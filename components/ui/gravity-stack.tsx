@@ -66,7 +66,7 @@ const SPECULATIVE_DISTANCE = 1.5
 /** Sub-steps that a contact is looked for ahead of time. More than one, as a body may gain speed in it. */
 const LOOKAHEAD = 1.25
 /** px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often (D-022). */
-const RECYCLE_DISTANCE = 0.25
+const RECYCLE_DISTANCE = 0.1
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 const WALL_RECYCLE_DISTANCE = 0.001
 
@@ -74,11 +74,17 @@ const WALL_RECYCLE_DISTANCE = 0.001
 const LOADED_CLOSING = 0.1
 /** px/s. Change by the contact solver from which a warm start was wrong, as it is after an impact (D-023). */
 const WRONG_WARM_START = 50
+/**
+ * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as steep as friction
+ * is strong creeps for ever, with more it holds on steeper slopes (D-029).
+ */
+const STICTION = 0.3
 /** Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten seconds. */
 const ROLLING_RESISTANCE = 0.1
 /** Share of a spin that rolling resistance takes in a sub-step while it can. More is stiffer. */
 const ROLLING_SHARE = 0.2
-
+/** The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples (D-024). */
+const ROCKING_SHARE = 0.02
 /**
  * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one point: resistance
  * that holds would freeze it there (D-024).
@@ -87,7 +93,7 @@ const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 const IMPACT_ITERATIONS = 24
 /** px by which chips that graze one another would miss, and sine of the angle to a surface that counts as along it (D-012). */
-const GRAZE = 0.1
+const GRAZE = 0.05
 /** px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit at once. */
 const IMPACT_TOGETHER = 0.05
 
@@ -106,7 +112,7 @@ const MAX_CORRECTION = 4
 const DEEP_OVERLAP = 0.02
 /** px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be stirred. */
 const SLOW_CONTACT = 10
-/** Most corrections of slow contacts in a step. Fewer let a jam last. */
+/** Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam last. */
 const CORRECTIONS = 64
 /** px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it there (D-013). */
 const WALL_OVERLAP = 0.9
@@ -880,7 +886,9 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vx = state[b * STATE + VX] - state[a * STATE + VX]
   const vy = state[b * STATE + VY] - state[a * STATE + VY]
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
-  return manifold[ACROSS] < GRAZE && approach > GRAZE * Math.sqrt(vx * vx + vy * vy)
+  const speed = Math.sqrt(vx * vx + vy * vy)
+  // Slow ones are pushed apart instead, or a jam would sleep as it is.
+  return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
 }
 
 /**
@@ -1226,6 +1234,7 @@ function updateSleep({ bodies, contacts, pull }: Simulation): void {
     if (groupRest[findGroup(parent, i)] >= REST_TIME) {
       asleep[i] = 1
       state.fill(0, i * STATE + VX, i * STATE + SPIN + 1)
+      bodies.before.set(state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
     } else awake[bodies.awakeCount++] = i
   }
 }
@@ -1247,8 +1256,8 @@ function wakeAlone(bodies: Bodies, i: number): void {
   bodies.asleep[i] = 0
   bodies.rest[i * 4 + 3] = 0
   bodies.undrawn[i] = 1
+  bodies.motion[i * MOTION + STRUCK_AT] = 0
   bodies.awake[bodies.awakeCount++] = i
-  bodies.before.set(bodies.state.subarray(i * STATE + X, i * STATE + ANGLE + 1), i * 3)
 }
 
 /** Wakes body `i` and all that touch it, whether they carry anything or not. */
@@ -1384,17 +1393,21 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
-    const most = (rolling * (Math.abs(warmX) + Math.abs(warmY))) / extent
+    // At rest a disc has twice as much, or a slope as steep as it is strong would let it creep for ever.
+    const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
+    const round = shape[i * SHAPE + RADIUS] / extent
+    const most = (rolling * (1 + slow * round) * (Math.abs(warmX) + Math.abs(warmY))) / extent
     const freeSpin = spinAir.fade * spin + warmSpin
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
-    const rollingImpulse = last - supported[i] * ROLLING_SHARE * (freeSpin + last)
+    const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
+    const rollingImpulse = last - share * (freeSpin + last)
     motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    changed[i] = speed > regime.tolerance || moved[i] > 0 ? 0 : NEVER
+    changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -1443,6 +1456,10 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
 function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation
   const { tolerance, relaxation } = regime
+  // What nothing brakes in the air slides as Coulomb says: so it is measured.
+  const stiction = simulation.air.fade < 1 ? STICTION : 0
+  const atRest = friction * (1 + stiction)
+  const loss = (friction * stiction) / SLOW_CONTACT
   const { state: s, changed } = bodies
   const { data: d, live, pair, points } = contacts
   let latest = start
@@ -1533,8 +1550,8 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
     const ta = d[k + ARM_TA]
     const tb = d[k + ARM_TB]
     const oldT = d[k + TANGENT_IMPULSE]
-    const limit = sum * friction
     const slip = nx * vy - ny * vx + tb * spinB - ta * spinA - d[k + TANGENT_BIAS]
+    const limit = sum * Math.max(friction, atRest - loss * Math.abs(slip))
     let t = oldT - relaxation * d[k + TANGENT_MASS] * slip
     if (t > limit) t = limit
     else if (t < -limit) t = -limit
@@ -1733,11 +1750,11 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
   return soonest < Infinity
 }
 
-/** Queues contact `c` if it will hit. */
-function queueImpact(simulation: Simulation, c: number): void {
+/** Queues contact `c` if it will hit; returns whether it will. */
+function queueImpact(simulation: Simulation, c: number): boolean {
   const { contacts } = simulation
   const { queue, queueTime } = contacts
-  if (contacts.queueCount >= queue.length || !foreseeImpact(simulation, c)) return
+  if (contacts.queueCount >= queue.length || !foreseeImpact(simulation, c)) return false
   let n = contacts.queueCount++
   for (; n > contacts.queueFirst && queueTime[n - 1] > ahead[0]; n--) {
     queue[n] = queue[n - 1]
@@ -1745,6 +1762,7 @@ function queueImpact(simulation: Simulation, c: number): void {
   }
   queue[n] = c
   queueTime[n] = ahead[0]
+  return true
 }
 
 /** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
@@ -1840,22 +1858,25 @@ function solveImpact(simulation: Simulation, c: number): void {
     const i = pair[2 * c + side]
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
-      if (other === c || asleep[pair[edge ^ 1]] > 0) continue
+      if (other === c) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
-      queueImpact(simulation, other)
+      // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
+      if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }
   }
 }
 
 /** Solves the impacts of the sub-step, each at its time. */
 function solveImpacts(simulation: Simulation): void {
-  const { contacts } = simulation
+  const { bodies, contacts } = simulation
+  const { awakeCount } = bodies
   for (let n = 0; n < contacts.queueCount; n++) {
     contacts.queueFirst = n + 1
     solveImpact(simulation, contacts.queue[n])
   }
+  if (bodies.awakeCount > awakeCount) gatherContacts(simulation)
   contacts.queueCount = contacts.queueFirst = 0
 }
 
@@ -1918,6 +1939,9 @@ function prepareContacts(simulation: Simulation): void {
 
 // solver/make-room: after walls have moved or chips have grown ──────────────────────────────────────────────
 
+/** Corrections in a row: more would push along normals that no longer hold. */
+const PASSES = CORRECTIONS / 4
+
 /**
  * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity
  * changes, so that nothing is thrown. After a jump it takes some steps.
@@ -1938,11 +1962,10 @@ function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < CORRECTIONS && correctPositions(simulation, false)) passes++
-    keepInside(simulation)
+    while (passes < PASSES && correctPositions(simulation, false)) passes++
     visits -= (passes + 1) * nearCount
     // A row between two walls that come nearer has room only upwards.
-    if (passes === CORRECTIONS) liftWedged(simulation)
+    if (passes === PASSES) liftWedged(simulation)
     if (passes === 0) simulation.cramped = 0
   }
 }
@@ -2440,15 +2463,15 @@ function createWorld(options: WorldOptions) {
     /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
     makeRoom(): void {
       scene.revision++
-      const { state, before, awake } = bodies
+      const { state, before } = bodies
       const shift = (sign: number) => {
-        for (let n = 0; n < bodies.awakeCount; n++)
-          for (let axis = 0; axis < 3; axis++)
-            before[awake[n] * 3 + axis] += sign * state[awake[n] * STATE + axis]
+        for (let i = FIRST_CHIP; i < bodies.count; i++)
+          for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
       }
       // What is drawn lies between two poses: both move by as much.
       shift(-1)
       makeRoom(scene)
+      keepInside(scene)
       shift(1)
     },
 
