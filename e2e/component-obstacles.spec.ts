@@ -231,6 +231,19 @@ for (const [who, params] of Object.entries<Record<string, string | number>>({
     expect(await stage.probe((probe) => probe.listeners.pointermove ?? 0)).toBe(0)
   })
 
+test('a mouse shoves nothing in a row of reduced motion', async ({ stage, page }) => {
+  await page.emulateMedia({ reducedMotion: 'reduce' })
+  await stage.open('obstacles', { heading: '', push: 40 })
+  await stage.reaches('static')
+  const before = await stage.pile()
+  const { x, y } = (await stage.root.boundingBox())!
+  await page.mouse.move(x + 20, y + 350)
+  await page.mouse.move(x + 600, y + 350, { steps: 20 })
+  await stage.probe((probe) => probe.pass(3))
+  await expect(stage.root).toHaveAttribute('data-state', 'static')
+  expect(await stage.pile()).toEqual(before)
+})
+
 test('fingers shove nothing', async ({ stage, page }) => {
   await stage.settled('obstacles', { heading: '', push: 40 })
   await page.evaluate(async () => {
