@@ -2,7 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { expect, it } from 'vitest'
 
-const folders = ['.', 'stage', 'testing'].map((name) => join(__dirname, name))
+const folders = ['.', 'solver', 'stage', 'testing'].map((name) => join(__dirname, name))
 const files = folders.flatMap((folder) =>
   readdirSync(folder)
     .filter((name) => /\.tsx?$/.test(name))

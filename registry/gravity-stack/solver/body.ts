@@ -22,8 +22,8 @@ import {
 } from './state'
 
 /**
- * Sets the shape of body `i` from its outer size and corner radius (px), and its mass from its area. Area and second
- * moment are the rounded rectangle's own: core, four slabs and four quarter discs.
+ * Sets the shape of body `i` from its outer size and corner radius (px), and its mass from its area. Area and
+ * second moment are the rounded rectangle's own: core, four slabs and four quarter discs.
  */
 export function setShape(
   { shape, state }: Bodies,
@@ -62,7 +62,10 @@ export function setPose(bodies: Bodies, i: number, x: number, y: number, angle: 
   bodies.motion[i * MOTION + ROTATED_TO] = Number.NaN
 }
 
-/** Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that pulls aside. */
+/**
+ * Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that
+ * pulls aside.
+ */
 export function isStatic({ state }: Bodies, i: number): boolean {
   return state[i * STATE + INV_MASS] === 0
 }
@@ -70,7 +73,10 @@ export function isStatic({ state }: Bodies, i: number): boolean {
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
 export const extents: Float64Array = new Float64Array(2)
 
-/** Leaves in `extents` how far body `i`, `inset` px thinner all round, reaches, or would turned by `swing` px more. */
+/**
+ * Leaves in `extents` how far body `i`, `inset` px thinner all round, reaches, or would turned by `swing` px
+ * more.
+ */
 export function halfExtents(bodies: Bodies, i: number, inset: number, swing: number): void {
   const { motion, shape } = bodies
   updateRotation(bodies, i)

@@ -15,11 +15,14 @@ import {
 } from './state'
 
 /**
- * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done until a chip
- * leaves its box; at rest that is never.
+ * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done
+ * until a chip leaves its box; at rest that is never.
  */
 
-/** Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns whether it did. */
+/**
+ * Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns
+ * whether it did.
+ */
 function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
   const { state, shape, box } = bodies
   const s = i * STATE

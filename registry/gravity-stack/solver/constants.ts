@@ -19,7 +19,9 @@ export const MAX_SPEED = 3600
 
 // Time (D-044) ----------------------------------------------------------------------------------------------
 
-/** s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display. */
+/**
+ * s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display.
+ */
 export const STEP = 1 / 60
 /** Sub-steps of a step. More is more exact and costs in proportion; with four, tall stacks fall. */
 export const SUBSTEPS = 6
@@ -29,13 +31,22 @@ export const SUBSTEPS = 6
 /** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
 export const RESTING_SPEED = 0.4
 
-/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left (D-025). */
+/**
+ * px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left
+ * (D-025).
+ */
 export const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
 export const ITERATIONS = 8
-/** Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a frame. */
+/**
+ * Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a
+ * frame.
+ */
 export const UNEVEN_VISITS = 6000
-/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep again. */
+/**
+ * SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep
+ * again.
+ */
 export const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
@@ -49,11 +60,17 @@ export const RESTING_TOLERANCE = 0.003
 
 // Contacts and impacts (D-022, D-023, D-024, D-025) ---------------------------------------------------------
 
-/** px. Gap up to which two bodies have a manifold before they touch: iterations may push a body this far unforeseen. */
+/**
+ * px. Gap up to which two bodies have a manifold before they touch: iterations may push a body this far
+ * unforeseen.
+ */
 export const SPECULATIVE_DISTANCE = 1.5
 /** Sub-steps that a contact is looked for ahead of time. More than one, as a body may gain speed in it. */
 export const LOOKAHEAD = 1.25
-/** px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often (D-022). */
+/**
+ * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
+ * (D-022).
+ */
 export const RECYCLE_DISTANCE = 0.1
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 export const WALL_RECYCLE_DISTANCE = 0.001
@@ -63,60 +80,89 @@ export const LOADED_CLOSING = 0.1
 /** px/s. Change by the contact solver from which a warm start was wrong, as it is after an impact (D-023). */
 export const WRONG_WARM_START = 50
 /**
- * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as steep as friction
- * is strong creeps for ever, with more it holds on steeper slopes (D-029).
+ * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as
+ * steep as friction is strong creeps for ever, with more it holds on steeper slopes (D-029).
  */
 export const STICTION = 0.3
-/** Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten seconds. */
+/**
+ * Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten
+ * seconds.
+ */
 export const ROLLING_RESISTANCE = 0.1
 /** Share of a spin that rolling resistance takes in a sub-step while it can. More is stiffer. */
 export const ROLLING_SHARE = 0.2
-/** The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples (D-024). */
+/**
+ * The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples
+ * (D-024).
+ */
 export const ROCKING_SHARE = 0.02
 /**
- * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one point: resistance
- * that holds would freeze it there (D-024).
+ * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one
+ * point: resistance that holds would freeze it there (D-024).
  */
 export const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 export const IMPACT_ITERATIONS = 24
-/** px by which chips that graze one another would miss, and sine of the angle to a surface that counts as along it (D-012). */
+/**
+ * px by which chips that graze one another would miss, and sine of the angle to a surface that counts as
+ * along it (D-012).
+ */
 export const GRAZE = 0.05
-/** px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit at once. */
+/**
+ * px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit
+ * at once.
+ */
 export const IMPACT_TOGETHER = 0.05
 
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
 /**
- * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are (D-022). A
- * stack sags by this at every chip.
+ * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they
+ * are (D-022). A stack sags by this at every chip.
  */
 export const LINEAR_SLOP = 0.004
-/** Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last. */
+/**
+ * Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last.
+ */
 export const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 export const MAX_CORRECTION = 4
 /** px of overlap from which slow contacts are corrected again within a step. */
 export const DEEP_OVERLAP = 0.02
-/** px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be stirred. */
+/**
+ * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
+ * stirred.
+ */
 export const SLOW_CONTACT = 10
-/** Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam last. */
+/**
+ * Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam
+ * last.
+ */
 export const CORRECTIONS = 64
-/** px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it there (D-013). */
+/**
+ * px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it
+ * there (D-013).
+ */
 export const WALL_OVERLAP = 0.9
 /** px of overlap from which two chips count as wedged: there is room only upwards. */
 export const WEDGED_OVERLAP = 0.5
 /**
- * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls moved or
- * chips grew. Less lifts chips that are on their way out.
+ * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls
+ * moved or chips grew. Less lifts chips that are on their way out.
  */
 export const WEDGED_STEPS = 30
-/** Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes 20 ns. */
+/**
+ * Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes
+ * 20 ns.
+ */
 export const ROOM_VISITS = 200_000
 
 // Broad phase (D-026) ---------------------------------------------------------------------------------------
 
-/** px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more often. */
+/**
+ * px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more
+ * often.
+ */
 export const AABB_MARGIN = 8
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
@@ -125,7 +171,9 @@ export const AABB_MARGIN = 8
 export const REST_DISTANCE = 0.5
 /** s that every chip of a group has to be at rest before the group sleeps. Less freezes a pile on its way. */
 export const REST_TIME = 0.5
-/** Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest. */
+/**
+ * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
+ */
 export const REST_FOLLOW = 0.03
 
 // Holding a chip (D-048) ------------------------------------------------------------------------------------
@@ -145,7 +193,10 @@ export const MAX_TOSS = 1800
 
 // Coming in, and pushes (D-051, D-052) ----------------------------------------------------------------------
 
-/** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
+/**
+ * px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come
+ * into.
+ */
 export const ENTRY_SPEED = 240
 /** Places along a push, at most, at which it meets chips. Fewer let a fast one pass through a small chip. */
 export const PUSH_SAMPLES = 64

@@ -29,11 +29,12 @@ import {
 } from './state'
 
 /**
- * One Gauss–Seidel iteration over the first `count` live contacts: both normals of a manifold together (the 2×2 block of
- * the complementarity problem, by cases), then friction in the interval ±μ·impulse.
+ * One Gauss–Seidel iteration over the first `count` live contacts: both normals of a manifold together (the
+ * 2×2 block of the complementarity problem, by cases), then friction in the interval ±μ·impulse.
  *
- * Every contact has a turn, counted on from `start`. It is visited if its last turn, or one since, changed a velocity of one
- * of its bodies by more than the tolerance. Returns the last turn that changed any, `start` if none did.
+ * Every contact has a turn, counted on from `start`. It is visited if its last turn, or one since, changed a
+ * velocity of one of its bodies by more than the tolerance. Returns the last turn that changed any, `start`
+ * if none did.
  */
 export function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation

@@ -82,7 +82,10 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
-/** A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is static. */
+/**
+ * A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is
+ * static.
+ */
 export function addContact(bodies: Bodies, contacts: Contacts, low: number, high: number): void {
   const turned = isStatic(bodies, high)
   const a = turned ? high : low
@@ -146,8 +149,9 @@ export function warmStart({ bodies, contacts }: Simulation, c: number, sign: num
 }
 
 /**
- * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The corner of a box
- * sags a little into the surface that it slides on: it would trip over the side of the next box in a level row.
+ * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The
+ * corner of a box sags a little into the surface that it slides on: it would trip over the side of the next
+ * box in a level row.
  */
 function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vx = state[b * STATE + VX] - state[a * STATE + VX]
@@ -159,8 +163,9 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
 }
 
 /**
- * Measures contact `c` afresh at the present poses, as wide as `manifold[WIDEST]` and, at a wall, `manifold[LEAD]` seconds
- * ahead. Impulses stay with the points that made them; those of a point that is gone go to the one that is left.
+ * Measures contact `c` afresh at the present poses, as wide as `manifold[WIDEST]` and, at a wall,
+ * `manifold[LEAD]` seconds ahead. Impulses stay with the points that made them; those of a point that is gone
+ * go to the one that is left.
  */
 export function updateContact(simulation: Simulation, c: number): void {
   const { bodies, contacts, work } = simulation
@@ -171,7 +176,8 @@ export function updateContact(simulation: Simulation, c: number): void {
   const wall = isStatic(bodies, a)
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
-  // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to be right.
+  // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to
+  // be right.
   const turned = wall ? manifold[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + WARM_SPIN]) : 0
   state[b * STATE + ANGLE] = angleB + turned
   collide(bodies, a, b)
@@ -234,7 +240,8 @@ export function updateContact(simulation: Simulation, c: number): void {
   let ta = manifold[ARM_AX] * nx + manifold[ARM_AY] * ny
   let tb = manifold[ARM_BX] * nx + manifold[ARM_BY] * ny
   if (count > 1) {
-    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels away.
+    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels
+    // away.
     const share = sum > 0 ? d[k2 + NORMAL_IMPULSE] / sum : manifold[POINT + GAP] < gap ? 1 : 0
     gap += share * (manifold[POINT + GAP] - gap)
     ta += share * (manifold[POINT + ARM_AX] * nx + manifold[POINT + ARM_AY] * ny - ta)
@@ -266,7 +273,10 @@ export function updateContact(simulation: Simulation, c: number): void {
   }
 }
 
-/** Leaves in `manifold` the separation (px) of the point at place `p` of contact `c`, and the rate (px/s) at which it opens. */
+/**
+ * Leaves in `manifold` the separation (px) of the point at place `p` of contact `c`, and the rate (px/s) at
+ * which it opens.
+ */
 export function separationAndRate({ bodies, contacts }: Simulation, c: number, p: number): void {
   const d = contacts.data
   const s = bodies.state
@@ -288,8 +298,8 @@ export function separationAndRate({ bodies, contacts }: Simulation, c: number, p
 }
 
 /**
- * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step, by the contacts
- * that already push and by gravity, which cancels out of two that fall.
+ * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step,
+ * by the contacts that already push and by gravity, which cancels out of two that fall.
  */
 export function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, axis: number): number {
   const a = contacts.pair[2 * c] & INDEX
@@ -298,7 +308,10 @@ export function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: nu
   return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
 }
 
-/** px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the same. */
+/**
+ * px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the
+ * same.
+ */
 export function rateGain(simulation: Simulation, c: number, p: number): number {
   const { data: d, pair } = simulation.contacts
   const m = simulation.bodies.motion
@@ -313,7 +326,9 @@ export function rateGain(simulation: Simulation, c: number, p: number): number {
   )
 }
 
-/** px, the most that points of the two bodies have moved against each other since contact `c` was measured. */
+/**
+ * px, the most that points of the two bodies have moved against each other since contact `c` was measured.
+ */
 export function shiftOf({ bodies, contacts }: Simulation, c: number): number {
   const { state: s, shape } = bodies
   const d = contacts.data

@@ -8,8 +8,8 @@ import type { Chip } from '../../../scenes/scene'
 import type { settle as Settle, worldOf as WorldOf } from '../testing/worlds'
 import { CONTACT } from './state'
 
-// What does not have to run, does not run: counted by the engine itself, function by function and block by block, so that
-// the component carries no counters for it.
+// What does not have to run, does not run: counted by the engine itself, function by function and block by
+// block, so that the component carries no counters for it.
 
 const here = dirname(fileURLToPath(import.meta.url))
 const frame = 1 / 60
@@ -35,7 +35,10 @@ beforeAll(async () => {
   ;({ worldOf, settle } = new Script(source, { filename: 'modules.js' }).runInThisContext())
 })
 
-/** Counts what runs during `work`: calls of a function, or how often the block of it that holds `text` was entered. */
+/**
+ * Counts what runs during `work`: calls of a function, or how often the block of it that holds `text` was
+ * entered.
+ */
 async function counted(work: () => void) {
   await session.post('Profiler.takePreciseCoverage')
   work()

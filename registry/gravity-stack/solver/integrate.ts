@@ -49,7 +49,9 @@ import {
 /** Turn of a body whose contacts need no visit. */
 const NEVER = -0x40000000
 
-/** Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it. */
+/**
+ * Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it.
+ */
 export function trackTravel({ bodies, h }: Simulation): void {
   const { state, motion, shape, moved, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
@@ -74,7 +76,10 @@ export function trackTravel({ bodies, h }: Simulation): void {
   }
 }
 
-/** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
+/**
+ * Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact
+ * solver.
+ */
 export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
@@ -95,7 +100,8 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const pulled = state[s + INV_MASS] > 0 ? 1 : 0
     const gx = pulled * gravity[X]
     const gy = pulled * gravity[Y]
-    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the way.
+    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the
+    // way.
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
@@ -118,8 +124,8 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
 }
 
 /**
- * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start. Returns how
- * many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
+ * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
  */
 export function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies

@@ -10,8 +10,8 @@ import type { Simulation } from './state'
 const PASSES = CORRECTIONS / 4
 
 /**
- * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity
- * changes, so that nothing is thrown. After a jump it takes some steps.
+ * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No
+ * velocity changes, so that nothing is thrown. After a jump it takes some steps.
  */
 export function makeRoom(simulation: Simulation): void {
   const { contacts } = simulation

@@ -3,14 +3,17 @@ import { updateRotation } from './math'
 import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, VX, VY, X, Y } from './state'
 
 /**
- * Two shapes in, contact points out. Both go through `manifold`, which the next call uses again: numbers handed over as
- * arguments or results would be boxed.
+ * Two shapes in, contact points out. Both go through `manifold`, which the next call uses again: numbers
+ * handed over as arguments or results would be boxed.
  *
- * The normal points from A to B. Each point lies on both surfaces: an arm leads from each body's centre to its own
- * surface, and the separation along the normal is negative where the two overlap.
+ * The normal points from A to B. Each point lies on both surfaces: an arm leads from each body's centre to
+ * its own surface, and the separation along the normal is negative where the two overlap.
  */
 export const manifold: Float64Array = new Float64Array(21)
-/** px, from the centre of A to its surface, of B to its surface; separation; feature. Then the same of a second point. */
+/**
+ * px, from the centre of A to its surface, of B to its surface; separation; feature. Then the same of a
+ * second point.
+ */
 export const ARM_AX = 0
 export const ARM_AY = 1
 export const ARM_BX = 2
@@ -32,15 +35,18 @@ export const LEAD = 17
 export const GAP_NOW = 18
 export const RATE_NOW = 19
 /**
- * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther apart they would
- * miss. Infinite where the motion is neither along nor against the face.
+ * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther
+ * apart they would miss. Infinite where the motion is neither along nor against the face.
  */
 export const ACROSS = 20
 
 /** px, distance of the cores along the face normals of one of them, its x axis first. */
 const faceGaps: Float64Array = new Float64Array(2)
 
-/** Measures the core of body `i` from the faces of body `r`. A side of no length, of a pill or disc, is no face. */
+/**
+ * Measures the core of body `i` from the faces of body `r`. A side of no length, of a pill or disc, is no
+ * face.
+ */
 function measureFaces({ state, motion, shape }: Bodies, r: number, i: number): number {
   const rc = motion[r * MOTION + COS]
   const rn = motion[r * MOTION + SIN]
@@ -60,8 +66,9 @@ function measureFaces({ state, motion, shape }: Bodies, r: number, i: number): n
 }
 
 /**
- * Leaves in `manifold` the distance of bodies `a` and `b`, and their contact points where these are at most `WIDEST`
- * apart. Exact for rounded boxes of any size: separating axes of the cores, then the features that face each other.
+ * Leaves in `manifold` the distance of bodies `a` and `b`, and their contact points where these are at most
+ * `WIDEST` apart. Exact for rounded boxes of any size: separating axes of the cores, then the features that
+ * face each other.
  */
 export function collide(bodies: Bodies, a: number, b: number): void {
   const { state, motion, shape } = bodies
@@ -74,7 +81,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   const gapA = measureFaces(bodies, a, b)
   const onA = gapB <= gapA + 1e-3
   const best = onA ? gapA : gapB
-  // Reference body R has the face, incident body I the side that faces it most; all is seen from the centre of R.
+  // Reference body R has the face, incident body I the side that faces it most; all is seen from the centre
+  // of R.
   const r = onA ? a : b
   const i = onA ? b : a
   if (!onA) measureFaces(bodies, r, i)
@@ -106,7 +114,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   const half = onX ? rhy : rhx
   const ux = -fy * half
   const uy = fx * half
-  // Incident side, of a segment a long one: its outward normal is the one most against f. Middle m, half length e.
+  // Incident side, of a segment a long one: its outward normal is the one most against f. Middle m, half
+  // length e.
   const fi = fx * ic + fy * inn
   const gi = fy * ic - fx * inn
   const useX = ihy > 0 && (ihx === 0 || Math.abs(fi) > Math.abs(gi))
@@ -164,7 +173,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   }
   manifold[MANIFOLD_NX] = sign * nx
   manifold[MANIFOLD_NY] = sign * ny
-  // Seen along the normal both sides are intervals: the two touch where these overlap, and at the nearest point.
+  // Seen along the normal both sides are intervals: the two touch where these overlap, and at the nearest
+  // point.
   const cu = depth * (fy * nx - fx * ny)
   const un = uy * nx - ux * ny
   const ce = my * nx - mx * ny
@@ -205,7 +215,10 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   }
 }
 
-/** Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at first. */
+/**
+ * Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at
+ * first.
+ */
 function isEnd(t: number): boolean {
   return Math.abs(t) > 0.999999
 }

@@ -12,7 +12,9 @@ export function grow(owner: object): void {
   }
 }
 
-/** Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine. */
+/**
+ * Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine.
+ */
 export function updateRotation({ state, motion }: Bodies, i: number): void {
   const m = i * MOTION
   const angle = state[i * STATE + ANGLE]
@@ -34,7 +36,9 @@ export function updateRotation({ state, motion }: Bodies, i: number): void {
   motion[m + ROTATED_TO] = angle
 }
 
-/** Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5. */
+/**
+ * Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5.
+ */
 export function dampingOver(damping: number, h: number): Damping {
   const z = -damping * h
   let term = 1

@@ -32,13 +32,16 @@ import {
 } from './state'
 
 /**
- * The mouse joint holds a chip: a critically damped spring from the grabbed point to the pointer, solved implicitly, with a
- * limit to its force, so that a chip pressed into the pile can't crush it.
+ * The mouse joint holds a chip: a critically damped spring from the grabbed point to the pointer, solved
+ * implicitly, with a limit to its force, so that a chip pressed into the pile can't crush it.
  */
 
 /** rad/s, natural frequency of the spring. */
 const OMEGA = 2 * Math.PI * JOINT_HERTZ
-/** px that the grabbed point may be off, beside what it trails at the pointer's speed, when its chip is thrown. */
+/**
+ * px that the grabbed point may be off, beside what it trails at the pointer's speed, when its chip is
+ * thrown.
+ */
 const THROW_SLACK = 16
 /** s after the pointer's last move until word of the same place counts as a stop. */
 const THROW_PAUSE = 0.025
@@ -67,7 +70,10 @@ export function createJoint(bodies: Bodies, body: number, x: number, y: number):
   }
 }
 
-/** Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards is in reach. */
+/**
+ * Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards
+ * is in reach.
+ */
 function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint): void {
   const { motion } = bodies
   const m = joint.body * MOTION
@@ -89,7 +95,8 @@ export function prepareJoint(simulation: Simulation, joint: MouseJoint): void {
   const m = joint.body * MOTION
   const angle = state[s + ANGLE]
   const { armX, armY } = joint
-  // The arm is that at the end of the sub-step, as at a wall: else a chip pulled against one rocks ever faster.
+  // The arm is that at the end of the sub-step, as at a wall: else a chip pulled against one rocks ever
+  // faster.
   state[s + ANGLE] += h * (state[s + SPIN] + 0.5 * motion[m + WARM_SPIN])
   aim(simulation, joint)
   state[s + ANGLE] = angle
@@ -162,8 +169,9 @@ export function movePointer(joint: MouseJoint, x: number, y: number, seconds: nu
 }
 
 /**
- * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; of a
- * slow pointer's less, as what swings below a hand swings on. Another joint that still holds the body decides alone.
+ * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept
+ * up with it; of a slow pointer's less, as what swings below a hand swings on. Another joint that still holds
+ * the body decides alone.
  */
 export function throwBody(simulation: Simulation, joint: MouseJoint): void {
   const { state, held } = simulation.bodies
@@ -189,11 +197,13 @@ export function throwBody(simulation: Simulation, joint: MouseJoint): void {
       aim(simulation, joint)
       const x = state[s + X] + joint.armX
       const y = state[s + Y] + joint.armY
-      // A damped spring trails its target by 2/ω s. A body half as much farther behind is stuck, and does not go as fast.
+      // A damped spring trails its target by 2/ω s. A body half as much farther behind is stuck, and does not
+      // go as fast.
       const isNear = (toX: number, toY: number) =>
         Math.sqrt((x - toX) * (x - toX) + (y - toY) * (y - toY)) < THROW_SLACK + (3 / OMEGA) * speed
       const close = isNear(joint.x, joint.y)
-      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the wall only.
+      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the
+      // wall only.
       const level = isNear(joint.targetX, joint.targetY)
       if (close || (level && joint.targetX === joint.x)) state[s + VX] += share * (tx / tt - state[s + VX])
       if (close || (level && joint.targetY === joint.y)) state[s + VY] += share * (ty / tt - state[s + VY])

@@ -49,13 +49,19 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
   return gap < -DEEP_OVERLAP
 }
 
-/** Corrects the point that `separationAndRate` looked at before a sub-step, unless its bodies part by themselves. */
+/**
+ * Corrects the point that `separationAndRate` looked at before a sub-step, unless its bodies part by
+ * themselves.
+ */
 export function correctEarly(simulation: Simulation, c: number, p: number): void {
   if (manifold[GAP_NOW] + LINEAR_SLOP + manifold[RATE_NOW] * simulation.h > 0) return
   correctPoint(simulation, c, p)
 }
 
-/** Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was deep. */
+/**
+ * Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was
+ * deep.
+ */
 export function correctPositions(simulation: Simulation, slowOnly: boolean): boolean {
   const { contacts, cramped } = simulation
   const { live, liveCount, points } = contacts
@@ -75,7 +81,10 @@ function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
   return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
 }
 
-/** Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room only upwards. */
+/**
+ * Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room
+ * only upwards.
+ */
 export function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies

@@ -57,7 +57,10 @@ export function updateContacts(simulation: Simulation): void {
   }
 }
 
-/** Lists the contacts that touch, and sets how fast each of those that have moved may close its gap in the sub-step. */
+/**
+ * Lists the contacts that touch, and sets how fast each of those that have moved may close its gap in the
+ * sub-step.
+ */
 export function prepareContacts(simulation: Simulation): void {
   const { bodies, contacts, h } = simulation
   const { data: d, near, nearCount, pair, points, live } = contacts

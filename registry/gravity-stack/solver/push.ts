@@ -5,9 +5,10 @@ import { wake } from './sleep'
 import { FIRST_CHIP, INV_INERTIA, INV_MASS, PUSHER, type Simulation, SPIN, STATE, VX, VY } from './state'
 
 /**
- * Push: a disc of `radius` px goes from (x, y) by (goX, goY) in `seconds`. Each chip in its way gets the impulse along the normal
- * with which it moves as fast there as the disc does, though never faster than a toss. Between two pushes there is no disc,
- * so that it presses nothing against a wall, and nothing has to lie beside it.
+ * Push: a disc of `radius` px goes from (x, y) by (goX, goY) in `seconds`. Each chip in its way gets the
+ * impulse along the normal with which it moves as fast there as the disc does, though never faster than a
+ * toss. Between two pushes there is no disc, so that it presses nothing against a wall, and nothing has to
+ * lie beside it.
  */
 export function pushBodies(
   simulation: Simulation,

@@ -17,8 +17,8 @@ import { INV_MASS, type Simulation, STATE } from './state'
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
  * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 8 contacts or fewer |
  *
- * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy one hands an
- * impulse on in tiny parts only.
+ * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
+ * one hands an impulse on in tiny parts only.
  */
 export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies

@@ -90,7 +90,8 @@ describe('two free chips that collide', () => {
       angular.push(result.angular)
     }
     expect(angular.length).toBeGreaterThan(400)
-    // Corners that turn fast come a little deep within a sub-step: to push two apart moves them, and their momenta with them.
+    // Corners that turn fast come a little deep within a sub-step: to push two apart moves them, and their
+    // momenta with them.
     expect(angular.filter((error) => error < 1e-9).length / angular.length).toBeGreaterThan(0.93)
     expect(Math.max(...angular)).toBeLessThan(5e-3)
   })
@@ -548,7 +549,9 @@ it('a chip that falls ever faster meets the floor in the step that takes it ther
   }
 })
 
-/** What chips in a stage of this size come to in two frames, in usual sub-steps and in ones an eighth as long. */
+/**
+ * What chips in a stage of this size come to in two frames, in usual sub-steps and in ones an eighth as long.
+ */
 function afterTwoFrames(chips: Chip[], size: { width: number; height: number }) {
   return [6, 48].map((substeps) => {
     const { world, ids } = worldOf(chips, { ...size, substeps })
@@ -572,7 +575,10 @@ describe('a box on a level row of boxes', () => {
   const block = { width: 60, height: 40, radius: 0, angle: 0 }
   const still = { linearDamping: 0, angularDamping: 0 }
 
-  /** A row with joints of `joint` px, a box with corners of `radius` px that slides along it, and how much slower it gets than friction makes it. */
+  /**
+   * A row with joints of `joint` px, a box with corners of `radius` px that slides along it, and how much
+   * slower it gets than friction makes it.
+   */
   function slide(speed: number, friction: number, joint: number, radius: number) {
     const row = Array.from({ length: 12 }, (_, i) => ({ ...block, x: 40 + i * (60 + joint), y: 320 }))
     const slider = { width: 50, height: 30, radius, angle: 0, x: 40, y: 285, vx: speed }

@@ -44,9 +44,9 @@ import {
 } from './state'
 
 /**
- * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity changes at the
- * start of the sub-step, and the pose goes back by what the change would have moved too early: exact for each, at any step.
- * What is struck is asked anew what it hits.
+ * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity
+ * changes at the start of the sub-step, and the pose goes back by what the change would have moved too early:
+ * exact for each, at any step. What is struck is asked anew what it hits.
  */
 
 /** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
@@ -55,8 +55,8 @@ const ahead: Float64Array = new Float64Array(1)
 const FREE = 1e9
 
 /**
- * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. Its velocity bias is then what makes it
- * leave as it should, from the velocity at the start of the sub-step.
+ * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. Its velocity bias is
+ * then what makes it leave as it should, from the velocity at the start of the sub-step.
  */
 function foreseeImpact(simulation: Simulation, c: number): boolean {
   const { bodies, contacts, bounce, h, pull, threshold } = simulation
@@ -73,7 +73,8 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
-    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will take it back.
+    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will
+    // take it back.
     const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
@@ -109,7 +110,10 @@ export function queueImpact(simulation: Simulation, c: number): boolean {
   return true
 }
 
-/** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
+/**
+ * Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that
+ * already push.
+ */
 function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): number {
   return isStatic(bodies, i) ? 0 : bodies.motion[i * MOTION + axis] + (axis < 2 ? gravity[axis] * h : 0)
 }
@@ -117,7 +121,10 @@ function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): nu
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
 const kept: Float64Array = new Float64Array(12)
 
-/** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
+/**
+ * Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of
+ * its eve.
+ */
 function measureAt(simulation: Simulation, c: number, time: number): void {
   const { bodies, contacts, h } = simulation
   const { state } = bodies
@@ -175,7 +182,8 @@ function solveImpact(simulation: Simulation, c: number): void {
   d[k + SECOND + NORMAL_IMPULSE] = n2
   d[k + TANGENT_IMPULSE] = t
   d[k + TANGENT_BIAS] = 0
-  // Restitution and friction together may ask for more energy than there was: then all of the impulse is less.
+  // Restitution and friction together may ask for more energy than there was: then all of the impulse is
+  // less.
   let first = 0
   let second = 0
   for (let n = 0; n < 6; n++) {

@@ -21,8 +21,9 @@ function asleep(chips: Parameters<typeof worldOf>[0]) {
 }
 
 /**
- * Frames of 300 in which a chip is slower than 20 px/s and does not stand, that sets out on a card with a slope of `rise` in 400, `along` px from its
- * middle, at `speed` px/s. `walled` cards have their lower end at a wall: steep ones would slide.
+ * Frames of 300 in which a chip is slower than 20 px/s and does not stand, that sets out on a card with a
+ * slope of `rise` in 400, `along` px from its middle, at `speed` px/s. `walled` cards have their lower end at
+ * a wall: steep ones would slide.
  */
 function creeping(
   rise: number,

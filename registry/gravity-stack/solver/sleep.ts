@@ -27,7 +27,10 @@ import {
   X,
 } from './state'
 
-/** Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so long enough. */
+/**
+ * Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so
+ * long enough.
+ */
 export function updateSleep({ bodies, contacts, pull }: Simulation): void {
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
@@ -104,7 +107,9 @@ export function anyAsleep({ bodies }: Simulation): boolean {
   return bodies.awakeCount + bodies.staticCount < bodies.orderCount
 }
 
-/** Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody. */
+/**
+ * Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody.
+ */
 export function wakeStruck(simulation: Simulation): void {
   const { bodies, contacts } = simulation
   const { awake, asleep } = bodies

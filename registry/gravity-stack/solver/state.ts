@@ -1,15 +1,19 @@
 /**
- * Every record of the solver, and no behaviour. Bodies and contacts live in flat arrays, one record each; a name in capitals
- * is the place of a field in its record, so that `state[i * STATE + VX]` is a velocity of body `i`.
+ * Every record of the solver, and no behaviour. Bodies and contacts live in flat arrays, one record each; a
+ * name in capitals is the place of a field in its record, so that `state[i * STATE + VX]` is a velocity of
+ * body `i`.
  */
 
 /**
- * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one can't
- * overflow, which saves it a check at every access.
+ * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one
+ * can't overflow, which saves it a check at every access.
  */
 export const INDEX = 0xffffff
 
-/** Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which collides with nothing in a step. Chips and obstacles begin at 5. */
+/**
+ * Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which
+ * collides with nothing in a step. Chips and obstacles begin at 5.
+ */
 export const CEILING = 3
 export const PUSHER = 4
 export const FIRST_CHIP = 5
@@ -46,7 +50,10 @@ export const ROTATED_TO = 11
 export const ROLLING_IMPULSE = 12
 /** s from the start of the sub-step at which the body was last struck in it. */
 export const STRUCK_AT = 13
-/** px that the farthest point of the core has travelled, and where that count may stand after the coming sub-step. */
+/**
+ * px that the farthest point of the core has travelled, and where that count may stand after the coming
+ * sub-step.
+ */
 export const TRAVEL = 14
 export const HORIZON = 15
 /** Pose up to which the travel is counted. */
@@ -55,7 +62,8 @@ export const SEEN_Y = 17
 export const SEEN_ANGLE = 18
 export const MOTION = 19
 
-// Record of `shape`: a core rectangle swept by a radius, which is disc, pill, rounded box and box in one family.
+// Record of `shape`: a core rectangle swept by a radius, which is disc, pill, rounded box and box in one
+// family.
 /** px, half extents of the core. */
 export const HX = 0
 export const HY = 1
@@ -66,8 +74,8 @@ export const CORE = 4
 export const SHAPE = 5
 
 /**
- * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written out in
- * braces when it makes the second one, and throws all code away that was compiled for the first.
+ * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written
+ * out in braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 export class Bodies {
   /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
@@ -100,7 +108,10 @@ export class Bodies {
   awakeCount = 0
   /** Turn of the contact solver in which the body's velocity last changed by more than the tolerance. */
   changed: Int32Array = new Int32Array(FIRST_CHIP)
-  /** Parent of each body in the forest of groups that fall asleep together, and the shortest rest of a root's group, s. */
+  /**
+   * Parent of each body in the forest of groups that fall asleep together, and the shortest rest of a root's
+   * group, s.
+   */
   parent: Int32Array = new Int32Array(FIRST_CHIP)
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
@@ -117,7 +128,10 @@ export class Bodies {
 }
 
 // Record of `data`, one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
-/** px, separation when it was measured, or a lower bound of it; relative position and both angles at that time. */
+/**
+ * px, separation when it was measured, or a lower bound of it; relative position and both angles at that
+ * time.
+ */
 export const SEPARATION = 0
 export const FROM_X = 1
 export const FROM_Y = 2
@@ -154,8 +168,9 @@ export const TANGENT_BIAS = 28
 export const CONTACT = 29
 
 /**
- * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two stay near.
- * Between two measurements a separation is linear in the poses: base + n·(x_B − x_A) + arm_B·θ_B − arm_A·θ_A.
+ * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two
+ * stay near. Between two measurements a separation is linear in the poses: base + n·(x_B − x_A) + arm_B·θ_B −
+ * arm_A·θ_A.
  */
 export class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
@@ -176,7 +191,10 @@ export class Contacts {
   nearCount = 0
   live: Int32Array = new Int32Array(4)
   liveCount = 0
-  /** Impacts of a sub-step by time (s from its start), and the first that is still to come. Any may be queued again. */
+  /**
+   * Impacts of a sub-step by time (s from its start), and the first that is still to come. Any may be queued
+   * again.
+   */
   queue: Int32Array = new Int32Array(16)
   queueTime: Float64Array = new Float64Array(16)
   queueCount = 0
@@ -232,9 +250,14 @@ export class Regime {
   resting = false
 }
 
-/** All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
+/**
+ * All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled
+ * code.
+ */
 export class Simulation {
-  /** Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays. */
+  /**
+   * Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays.
+   */
   static kept: Simulation = new Simulation()
   bodies = new Bodies()
   contacts = new Contacts()

@@ -38,8 +38,8 @@ import {
 } from './state'
 
 /**
- * One step of all that is awake. What runs in a step is outside of the world that calls it: functions made anew for every
- * world would be compiled anew as well.
+ * One step of all that is awake. What runs in a step is outside of the world that calls it: functions made
+ * anew for every world would be compiled anew as well.
  */
 export function step(simulation: Simulation): void {
   const { substeps } = simulation
@@ -73,7 +73,10 @@ function substep(simulation: Simulation): boolean {
   return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
 }
 
-/** Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to that. */
+/**
+ * Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to
+ * that.
+ */
 function solveContacts(simulation: Simulation): boolean {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount
@@ -98,7 +101,10 @@ function rememberPoses({ bodies }: Simulation): void {
     for (let axis = X; axis <= ANGLE; axis++) before[awake[n] * 3 + axis] = state[awake[n] * STATE + axis]
 }
 
-/** Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is supported. */
+/**
+ * Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is
+ * supported.
+ */
 function startWarm(simulation: Simulation): void {
   const { bodies, contacts, joints } = simulation
   const { data: d, near, nearCount, pair, points } = contacts
@@ -126,7 +132,10 @@ function startWarm(simulation: Simulation): void {
   for (const joint of joints) warmStartJoint(bodies, joint)
 }
 
-/** Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be stirred. */
+/**
+ * Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be
+ * stirred.
+ */
 function correctOverlaps(simulation: Simulation): void {
   let deep = correctPositions(simulation, false)
   for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation, true)

@@ -102,8 +102,8 @@ export interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is
-   * slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
+   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
    */
   release(): void
 }
@@ -140,7 +140,10 @@ export function createWorld(options: WorldOptions) {
   enclose(size(options.width), size(options.height))
 
   return {
-    /** Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves aside. */
+    /**
+     * Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves
+     * aside.
+     */
     add(body: BodyOptions): number {
       const { density } = body
       const i = scene.freeSlots.pop() ?? bodies.count++
@@ -205,7 +208,10 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
+    /**
+     * Parts what moved walls or grown chips have pressed together, without a step: no time passes, and
+     * nothing else moves.
+     */
     makeRoom(): void {
       scene.revision++
       const { state, before } = bodies
@@ -249,7 +255,8 @@ export function createWorld(options: WorldOptions) {
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
       scene.left += within(seconds, 0, 3600, 0)
-      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
+      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put
+      // off.
       while (scene.left >= STEP * 0.999) {
         scene.left -= STEP
         if (bodies.awakeCount > 0) step(scene)
@@ -291,13 +298,18 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal. */
+    /**
+     * Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal.
+     */
     follow(other: { scene: Simulation }): void {
       copy(other.scene, scene)
       bodies.held.fill(0)
     },
 
-    /** Whether `other` still goes the way it went when this world followed it: only time and new bodies came since. */
+    /**
+     * Whether `other` still goes the way it went when this world followed it: only time and new bodies came
+     * since.
+     */
     follows(other: { scene: Simulation }): boolean {
       return scene.revision === other.scene.revision
     },
@@ -428,7 +440,10 @@ export function createWorld(options: WorldOptions) {
   }
 }
 
-/** Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares them. */
+/**
+ * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed
+ * shares them.
+ */
 function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>
   for (const [name, value] of Object.entries(from)) {
@@ -445,7 +460,10 @@ function copy(from: object, to: object): void {
 
 /** px, how thick walls are. */
 const THICK = 1000
-/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+/**
+ * px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their
+ * precision.
+ */
 const FAR = 1e6
 
 function finite(value: number | undefined, otherwise = 0): number {
