@@ -31,7 +31,9 @@ const MAX_SPEED = 3600
 
 // Time (D-044) ----------------------------------------------------------------------------------------------
 
-/** s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display. */
+/**
+ * s. The fixed step: frames of any length are cut into these, so that a pile does not depend on the display.
+ */
 const STEP = 1 / 60
 /** Sub-steps of a step. More is more exact and costs in proportion; with four, tall stacks fall. */
 const SUBSTEPS = 6
@@ -41,13 +43,22 @@ const SUBSTEPS = 6
 /** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
 const RESTING_SPEED = 0.4
 
-/** px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left (D-025). */
+/**
+ * px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left
+ * (D-025).
+ */
 const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
 const ITERATIONS = 8
-/** Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a frame. */
+/**
+ * Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a
+ * frame.
+ */
 const UNEVEN_VISITS = 6000
-/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep again. */
+/**
+ * SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep
+ * again.
+ */
 const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
@@ -61,11 +72,17 @@ const RESTING_TOLERANCE = 0.003
 
 // Contacts and impacts (D-022, D-023, D-024, D-025) ---------------------------------------------------------
 
-/** px. Gap up to which two bodies have a manifold before they touch: iterations may push a body this far unforeseen. */
+/**
+ * px. Gap up to which two bodies have a manifold before they touch: iterations may push a body this far
+ * unforeseen.
+ */
 const SPECULATIVE_DISTANCE = 1.5
 /** Sub-steps that a contact is looked for ahead of time. More than one, as a body may gain speed in it. */
 const LOOKAHEAD = 1.25
-/** px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often (D-022). */
+/**
+ * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
+ * (D-022).
+ */
 const RECYCLE_DISTANCE = 0.1
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 const WALL_RECYCLE_DISTANCE = 0.001
@@ -75,60 +92,89 @@ const LOADED_CLOSING = 0.1
 /** px/s. Change by the contact solver from which a warm start was wrong, as it is after an impact (D-023). */
 const WRONG_WARM_START = 50
 /**
- * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as steep as friction
- * is strong creeps for ever, with more it holds on steeper slopes (D-029).
+ * Share by which friction is stronger at rest than from 10 px/s of slip on. With none a chip on a slope as
+ * steep as friction is strong creeps for ever, with more it holds on steeper slopes (D-029).
  */
 const STICTION = 0.3
-/** Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten seconds. */
+/**
+ * Rolling resistance: twice its coefficient for a disc. Without it a disc on a level floor rolls for ten
+ * seconds.
+ */
 const ROLLING_RESISTANCE = 0.1
 /** Share of a spin that rolling resistance takes in a sub-step while it can. More is stiffer. */
 const ROLLING_SHARE = 0.2
-/** The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples (D-024). */
+/**
+ * The same for a body balanced on one point. Less lets it rock for seconds, more slows how it topples
+ * (D-024).
+ */
 const ROCKING_SHARE = 0.02
 /**
- * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one point: resistance
- * that holds would freeze it there (D-024).
+ * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one
+ * point: resistance that holds would freeze it there (D-024).
  */
 const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 const IMPACT_ITERATIONS = 24
-/** px by which chips that graze one another would miss, and sine of the angle to a surface that counts as along it (D-012). */
+/**
+ * px by which chips that graze one another would miss, and sine of the angle to a surface that counts as
+ * along it (D-012).
+ */
 const GRAZE = 0.05
-/** px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit at once. */
+/**
+ * px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit
+ * at once.
+ */
 const IMPACT_TOGETHER = 0.05
 
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
 /**
- * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they are (D-022). A
- * stack sags by this at every chip.
+ * px. Overlap that is left alone, so that contacts do not flicker, and movement that leaves contacts as they
+ * are (D-022). A stack sags by this at every chip.
  */
 const LINEAR_SLOP = 0.004
-/** Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last. */
+/**
+ * Share of an overlap that is taken out at once. More overshoots where chips crowd, less lets overlaps last.
+ */
 const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
 /** px of overlap from which slow contacts are corrected again within a step. */
 const DEEP_OVERLAP = 0.02
-/** px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be stirred. */
+/**
+ * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
+ * stirred.
+ */
 const SLOW_CONTACT = 10
-/** Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam last. */
+/**
+ * Most corrections of slow contacts in a step, and a quarter of it in a round of making room. Fewer let a jam
+ * last.
+ */
 const CORRECTIONS = 64
-/** px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it there (D-013). */
+/**
+ * px that a chip may reach into a wall at the end of a step, or that a hand outside of the stage presses it
+ * there (D-013).
+ */
 const WALL_OVERLAP = 0.9
 /** px of overlap from which two chips count as wedged: there is room only upwards. */
 const WEDGED_OVERLAP = 0.5
 /**
- * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls moved or
- * chips grew. Less lifts chips that are on their way out.
+ * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls
+ * moved or chips grew. Less lifts chips that are on their way out.
  */
 const WEDGED_STEPS = 30
-/** Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes 20 ns. */
+/**
+ * Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes
+ * 20 ns.
+ */
 const ROOM_VISITS = 200_000
 
 // Broad phase (D-026) ---------------------------------------------------------------------------------------
 
-/** px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more often. */
+/**
+ * px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more
+ * often.
+ */
 const AABB_MARGIN = 8
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
@@ -137,7 +183,9 @@ const AABB_MARGIN = 8
 const REST_DISTANCE = 0.5
 /** s that every chip of a group has to be at rest before the group sleeps. Less freezes a pile on its way. */
 const REST_TIME = 0.5
-/** Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest. */
+/**
+ * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
+ */
 const REST_FOLLOW = 0.03
 
 // Holding a chip (D-048) ------------------------------------------------------------------------------------
@@ -157,7 +205,10 @@ const MAX_TOSS = 1800
 
 // Coming in, and pushes (D-051, D-052) ----------------------------------------------------------------------
 
-/** px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come into. */
+/**
+ * px/s at which chips come in where gravity does not bring them. More knocks the pile about that they come
+ * into.
+ */
 const ENTRY_SPEED = 240
 /** Places along a push, at most, at which it meets chips. Fewer let a fast one pass through a small chip. */
 const PUSH_SAMPLES = 64
@@ -171,17 +222,21 @@ type Uint8Array = Trusted<globalThis.Uint8Array>
 // solver/state: every record and its layout ─────────────────────────────────────────────────────────────────
 
 /**
- * Every record of the solver, and no behaviour. Bodies and contacts live in flat arrays, one record each; a name in capitals
- * is the place of a field in its record, so that `state[i * STATE + VX]` is a velocity of body `i`.
+ * Every record of the solver, and no behaviour. Bodies and contacts live in flat arrays, one record each; a
+ * name in capitals is the place of a field in its record, so that `state[i * STATE + VX]` is a velocity of
+ * body `i`.
  */
 
 /**
- * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one can't
- * overflow, which saves it a check at every access.
+ * Mask for indices read from a list. It changes none, but tells the compiler that offsets computed from one
+ * can't overflow, which saves it a check at every access.
  */
 const INDEX = 0xffffff
 
-/** Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which collides with nothing in a step. Chips and obstacles begin at 5. */
+/**
+ * Body 0 is the floor, 1 and 2 are the left and right wall, 3 is the ceiling, 4 the disc of a push, which
+ * collides with nothing in a step. Chips and obstacles begin at 5.
+ */
 const CEILING = 3
 const PUSHER = 4
 const FIRST_CHIP = 5
@@ -218,7 +273,10 @@ const ROTATED_TO = 11
 const ROLLING_IMPULSE = 12
 /** s from the start of the sub-step at which the body was last struck in it. */
 const STRUCK_AT = 13
-/** px that the farthest point of the core has travelled, and where that count may stand after the coming sub-step. */
+/**
+ * px that the farthest point of the core has travelled, and where that count may stand after the coming
+ * sub-step.
+ */
 const TRAVEL = 14
 const HORIZON = 15
 /** Pose up to which the travel is counted. */
@@ -227,7 +285,8 @@ const SEEN_Y = 17
 const SEEN_ANGLE = 18
 const MOTION = 19
 
-// Record of `shape`: a core rectangle swept by a radius, which is disc, pill, rounded box and box in one family.
+// Record of `shape`: a core rectangle swept by a radius, which is disc, pill, rounded box and box in one
+// family.
 /** px, half extents of the core. */
 const HX = 0
 const HY = 1
@@ -238,8 +297,8 @@ const CORE = 4
 const SHAPE = 5
 
 /**
- * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written out in
- * braces when it makes the second one, and throws all code away that was compiled for the first.
+ * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written
+ * out in braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 class Bodies {
   /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
@@ -272,7 +331,10 @@ class Bodies {
   awakeCount = 0
   /** Turn of the contact solver in which the body's velocity last changed by more than the tolerance. */
   changed: Int32Array = new Int32Array(FIRST_CHIP)
-  /** Parent of each body in the forest of groups that fall asleep together, and the shortest rest of a root's group, s. */
+  /**
+   * Parent of each body in the forest of groups that fall asleep together, and the shortest rest of a root's
+   * group, s.
+   */
   parent: Int32Array = new Int32Array(FIRST_CHIP)
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
@@ -289,7 +351,10 @@ class Bodies {
 }
 
 // Record of `data`, one manifold. Arms are torques of a unit impulse along the normal (N) or the tangent (T).
-/** px, separation when it was measured, or a lower bound of it; relative position and both angles at that time. */
+/**
+ * px, separation when it was measured, or a lower bound of it; relative position and both angles at that
+ * time.
+ */
 const SEPARATION = 0
 const FROM_X = 1
 const FROM_Y = 2
@@ -326,8 +391,9 @@ const TANGENT_BIAS = 28
 const CONTACT = 29
 
 /**
- * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two stay near.
- * Between two measurements a separation is linear in the poses: base + n·(x_B − x_A) + arm_B·θ_B − arm_A·θ_A.
+ * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two
+ * stay near. Between two measurements a separation is linear in the poses: base + n·(x_B − x_A) + arm_B·θ_B −
+ * arm_A·θ_A.
  */
 class Contacts {
   /** Slots ever used; free ones among them are chained through `next`. */
@@ -348,7 +414,10 @@ class Contacts {
   nearCount = 0
   live: Int32Array = new Int32Array(4)
   liveCount = 0
-  /** Impacts of a sub-step by time (s from its start), and the first that is still to come. Any may be queued again. */
+  /**
+   * Impacts of a sub-step by time (s from its start), and the first that is still to come. Any may be queued
+   * again.
+   */
   queue: Int32Array = new Int32Array(16)
   queueTime: Float64Array = new Float64Array(16)
   queueCount = 0
@@ -404,9 +473,14 @@ class Regime {
   resting = false
 }
 
-/** All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled code. */
+/**
+ * All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled
+ * code.
+ */
 class Simulation {
-  /** Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays. */
+  /**
+   * Once all of a class have gone V8 forgets its shape, and throws away what was compiled for it: one stays.
+   */
   static kept: Simulation = new Simulation()
   bodies = new Bodies()
   contacts = new Contacts()
@@ -460,7 +534,9 @@ function grow(owner: object): void {
   }
 }
 
-/** Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine. */
+/**
+ * Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine.
+ */
 function updateRotation({ state, motion }: Bodies, i: number): void {
   const m = i * MOTION
   const angle = state[i * STATE + ANGLE]
@@ -482,7 +558,9 @@ function updateRotation({ state, motion }: Bodies, i: number): void {
   motion[m + ROTATED_TO] = angle
 }
 
-/** Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5. */
+/**
+ * Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5.
+ */
 function dampingOver(damping: number, h: number): Damping {
   const z = -damping * h
   let term = 1
@@ -504,8 +582,8 @@ const MAX_DAMPING = 0.5 / STEP
 // solver/body: shapes, mass, inertia, extents ───────────────────────────────────────────────────────────────
 
 /**
- * Sets the shape of body `i` from its outer size and corner radius (px), and its mass from its area. Area and second
- * moment are the rounded rectangle's own: core, four slabs and four quarter discs.
+ * Sets the shape of body `i` from its outer size and corner radius (px), and its mass from its area. Area and
+ * second moment are the rounded rectangle's own: core, four slabs and four quarter discs.
  */
 function setShape(
   { shape, state }: Bodies,
@@ -544,7 +622,10 @@ function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number)
   bodies.motion[i * MOTION + ROTATED_TO] = Number.NaN
 }
 
-/** Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that pulls aside. */
+/**
+ * Whether nothing moves body `i`: floor, walls, ceiling, obstacles, and chips on their way into a stage that
+ * pulls aside.
+ */
 function isStatic({ state }: Bodies, i: number): boolean {
   return state[i * STATE + INV_MASS] === 0
 }
@@ -552,7 +633,10 @@ function isStatic({ state }: Bodies, i: number): boolean {
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
 const extents: Float64Array = new Float64Array(2)
 
-/** Leaves in `extents` how far body `i`, `inset` px thinner all round, reaches, or would turned by `swing` px more. */
+/**
+ * Leaves in `extents` how far body `i`, `inset` px thinner all round, reaches, or would turned by `swing` px
+ * more.
+ */
 function halfExtents(bodies: Bodies, i: number, inset: number, swing: number): void {
   const { motion, shape } = bodies
   updateRotation(bodies, i)
@@ -586,14 +670,17 @@ function capSpeed(state: Float64Array, s: number, most: number): void {
 // solver/manifold: two shapes in, contact points out ────────────────────────────────────────────────────────
 
 /**
- * Two shapes in, contact points out. Both go through `manifold`, which the next call uses again: numbers handed over as
- * arguments or results would be boxed.
+ * Two shapes in, contact points out. Both go through `manifold`, which the next call uses again: numbers
+ * handed over as arguments or results would be boxed.
  *
- * The normal points from A to B. Each point lies on both surfaces: an arm leads from each body's centre to its own
- * surface, and the separation along the normal is negative where the two overlap.
+ * The normal points from A to B. Each point lies on both surfaces: an arm leads from each body's centre to
+ * its own surface, and the separation along the normal is negative where the two overlap.
  */
 const manifold: Float64Array = new Float64Array(21)
-/** px, from the centre of A to its surface, of B to its surface; separation; feature. Then the same of a second point. */
+/**
+ * px, from the centre of A to its surface, of B to its surface; separation; feature. Then the same of a
+ * second point.
+ */
 const ARM_AX = 0
 const ARM_AY = 1
 const ARM_BX = 2
@@ -615,15 +702,18 @@ const LEAD = 17
 const GAP_NOW = 18
 const RATE_NOW = 19
 /**
- * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther apart they would
- * miss. Infinite where the motion is neither along nor against the face.
+ * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther
+ * apart they would miss. Infinite where the motion is neither along nor against the face.
  */
 const ACROSS = 20
 
 /** px, distance of the cores along the face normals of one of them, its x axis first. */
 const faceGaps: Float64Array = new Float64Array(2)
 
-/** Measures the core of body `i` from the faces of body `r`. A side of no length, of a pill or disc, is no face. */
+/**
+ * Measures the core of body `i` from the faces of body `r`. A side of no length, of a pill or disc, is no
+ * face.
+ */
 function measureFaces({ state, motion, shape }: Bodies, r: number, i: number): number {
   const rc = motion[r * MOTION + COS]
   const rn = motion[r * MOTION + SIN]
@@ -643,8 +733,9 @@ function measureFaces({ state, motion, shape }: Bodies, r: number, i: number): n
 }
 
 /**
- * Leaves in `manifold` the distance of bodies `a` and `b`, and their contact points where these are at most `WIDEST`
- * apart. Exact for rounded boxes of any size: separating axes of the cores, then the features that face each other.
+ * Leaves in `manifold` the distance of bodies `a` and `b`, and their contact points where these are at most
+ * `WIDEST` apart. Exact for rounded boxes of any size: separating axes of the cores, then the features that
+ * face each other.
  */
 function collide(bodies: Bodies, a: number, b: number): void {
   const { state, motion, shape } = bodies
@@ -657,7 +748,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
   const gapA = measureFaces(bodies, a, b)
   const onA = gapB <= gapA + 1e-3
   const best = onA ? gapA : gapB
-  // Reference body R has the face, incident body I the side that faces it most; all is seen from the centre of R.
+  // Reference body R has the face, incident body I the side that faces it most; all is seen from the centre
+  // of R.
   const r = onA ? a : b
   const i = onA ? b : a
   if (!onA) measureFaces(bodies, r, i)
@@ -689,7 +781,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
   const half = onX ? rhy : rhx
   const ux = -fy * half
   const uy = fx * half
-  // Incident side, of a segment a long one: its outward normal is the one most against f. Middle m, half length e.
+  // Incident side, of a segment a long one: its outward normal is the one most against f. Middle m, half
+  // length e.
   const fi = fx * ic + fy * inn
   const gi = fy * ic - fx * inn
   const useX = ihy > 0 && (ihx === 0 || Math.abs(fi) > Math.abs(gi))
@@ -747,7 +840,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
   }
   manifold[MANIFOLD_NX] = sign * nx
   manifold[MANIFOLD_NY] = sign * ny
-  // Seen along the normal both sides are intervals: the two touch where these overlap, and at the nearest point.
+  // Seen along the normal both sides are intervals: the two touch where these overlap, and at the nearest
+  // point.
   const cu = depth * (fy * nx - fx * ny)
   const un = uy * nx - ux * ny
   const ce = my * nx - mx * ny
@@ -788,7 +882,10 @@ function collide(bodies: Bodies, a: number, b: number): void {
   }
 }
 
-/** Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at first. */
+/**
+ * Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at
+ * first.
+ */
 function isEnd(t: number): boolean {
   return Math.abs(t) > 0.999999
 }
@@ -815,7 +912,10 @@ function unlink({ head, next }: Contacts, edge: number, body: number): void {
   }
 }
 
-/** A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is static. */
+/**
+ * A slot for the pair of bodies `low` and `high`. Body A of the contact is the lower, or the one that is
+ * static.
+ */
 function addContact(bodies: Bodies, contacts: Contacts, low: number, high: number): void {
   const turned = isStatic(bodies, high)
   const a = turned ? high : low
@@ -879,8 +979,9 @@ function warmStart({ bodies, contacts }: Simulation, c: number, sign: number): v
 }
 
 /**
- * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The corner of a box
- * sags a little into the surface that it slides on: it would trip over the side of the next box in a level row.
+ * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The
+ * corner of a box sags a little into the surface that it slides on: it would trip over the side of the next
+ * box in a level row.
  */
 function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vx = state[b * STATE + VX] - state[a * STATE + VX]
@@ -892,8 +993,9 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
 }
 
 /**
- * Measures contact `c` afresh at the present poses, as wide as `manifold[WIDEST]` and, at a wall, `manifold[LEAD]` seconds
- * ahead. Impulses stay with the points that made them; those of a point that is gone go to the one that is left.
+ * Measures contact `c` afresh at the present poses, as wide as `manifold[WIDEST]` and, at a wall,
+ * `manifold[LEAD]` seconds ahead. Impulses stay with the points that made them; those of a point that is gone
+ * go to the one that is left.
  */
 function updateContact(simulation: Simulation, c: number): void {
   const { bodies, contacts, work } = simulation
@@ -904,7 +1006,8 @@ function updateContact(simulation: Simulation, c: number): void {
   const wall = isStatic(bodies, a)
   const angleA = state[a * STATE + ANGLE]
   const angleB = state[b * STATE + ANGLE]
-  // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to be right.
+  // The arms of a chip that rolls or topples are those at the end of the sub-step, where its velocity has to
+  // be right.
   const turned = wall ? manifold[LEAD] * (state[b * STATE + SPIN] + 0.5 * motion[b * MOTION + WARM_SPIN]) : 0
   state[b * STATE + ANGLE] = angleB + turned
   collide(bodies, a, b)
@@ -967,7 +1070,8 @@ function updateContact(simulation: Simulation, c: number): void {
   let ta = manifold[ARM_AX] * nx + manifold[ARM_AY] * ny
   let tb = manifold[ARM_BX] * nx + manifold[ARM_BY] * ny
   if (count > 1) {
-    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels away.
+    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels
+    // away.
     const share = sum > 0 ? d[k2 + NORMAL_IMPULSE] / sum : manifold[POINT + GAP] < gap ? 1 : 0
     gap += share * (manifold[POINT + GAP] - gap)
     ta += share * (manifold[POINT + ARM_AX] * nx + manifold[POINT + ARM_AY] * ny - ta)
@@ -999,7 +1103,10 @@ function updateContact(simulation: Simulation, c: number): void {
   }
 }
 
-/** Leaves in `manifold` the separation (px) of the point at place `p` of contact `c`, and the rate (px/s) at which it opens. */
+/**
+ * Leaves in `manifold` the separation (px) of the point at place `p` of contact `c`, and the rate (px/s) at
+ * which it opens.
+ */
 function separationAndRate({ bodies, contacts }: Simulation, c: number, p: number): void {
   const d = contacts.data
   const s = bodies.state
@@ -1021,8 +1128,8 @@ function separationAndRate({ bodies, contacts }: Simulation, c: number, p: numbe
 }
 
 /**
- * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step, by the contacts
- * that already push and by gravity, which cancels out of two that fall.
+ * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step,
+ * by the contacts that already push and by gravity, which cancels out of two that fall.
  */
 function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, axis: number): number {
   const a = contacts.pair[2 * c] & INDEX
@@ -1031,7 +1138,10 @@ function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, a
   return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
 }
 
-/** px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the same. */
+/**
+ * px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the
+ * same.
+ */
 function rateGain(simulation: Simulation, c: number, p: number): number {
   const { data: d, pair } = simulation.contacts
   const m = simulation.bodies.motion
@@ -1046,7 +1156,9 @@ function rateGain(simulation: Simulation, c: number, p: number): number {
   )
 }
 
-/** px, the most that points of the two bodies have moved against each other since contact `c` was measured. */
+/**
+ * px, the most that points of the two bodies have moved against each other since contact `c` was measured.
+ */
 function shiftOf({ bodies, contacts }: Simulation, c: number): number {
   const { state: s, shape } = bodies
   const d = contacts.data
@@ -1083,11 +1195,14 @@ function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: n
 // solver/broad-phase: which pairs may touch ─────────────────────────────────────────────────────────────────
 
 /**
- * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done until a chip
- * leaves its box; at rest that is never.
+ * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done
+ * until a chip leaves its box; at rest that is never.
  */
 
-/** Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns whether it did. */
+/**
+ * Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns
+ * whether it did.
+ */
 function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
   const { state, shape, box } = bodies
   const s = i * STATE
@@ -1185,7 +1300,9 @@ function findGroup(parent: Int32Array, i: number): number {
   return i
 }
 
-/** Makes one group of those of bodies `a` and `b`, which has rested for as long as the one that has for less. */
+/**
+ * Makes one group of those of bodies `a` and `b`, which has rested for as long as the one that has for less.
+ */
 function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
   const root = findGroup(parent, a)
   const leaf = findGroup(parent, b)
@@ -1195,7 +1312,10 @@ function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
 
 // solver/sleep: rest and waking ─────────────────────────────────────────────────────────────────────────────
 
-/** Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so long enough. */
+/**
+ * Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so
+ * long enough.
+ */
 function updateSleep({ bodies, contacts, pull }: Simulation): void {
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
@@ -1272,7 +1392,9 @@ function anyAsleep({ bodies }: Simulation): boolean {
   return bodies.awakeCount + bodies.staticCount < bodies.orderCount
 }
 
-/** Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody. */
+/**
+ * Wakes the sleepers that something awake is about to hit. One that merely lies against them wakes nobody.
+ */
 function wakeStruck(simulation: Simulation): void {
   const { bodies, contacts } = simulation
   const { awake, asleep } = bodies
@@ -1316,8 +1438,8 @@ function gatherContacts(simulation: Simulation): void {
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
  * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 8 contacts or fewer |
  *
- * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy one hands an
- * impulse on in tiny parts only.
+ * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
+ * one hands an impulse on in tiny parts only.
  */
 function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -1343,7 +1465,9 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
 /** Turn of a body whose contacts need no visit. */
 const NEVER = -0x40000000
 
-/** Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it. */
+/**
+ * Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it.
+ */
 function trackTravel({ bodies, h }: Simulation): void {
   const { state, motion, shape, moved, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
@@ -1368,7 +1492,10 @@ function trackTravel({ bodies, h }: Simulation): void {
   }
 }
 
-/** Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact solver. */
+/**
+ * Gravity, drag, rolling resistance and warm start: velocities at the end of the sub-step but for the contact
+ * solver.
+ */
 function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
@@ -1389,7 +1516,8 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const pulled = state[s + INV_MASS] > 0 ? 1 : 0
     const gx = pulled * gravity[X]
     const gy = pulled * gravity[Y]
-    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the way.
+    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the
+    // way.
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
     // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
@@ -1412,8 +1540,8 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
 }
 
 /**
- * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start. Returns how
- * many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
+ * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
  */
 function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
@@ -1447,11 +1575,12 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
 // solver/contact-solver: impulses of contacts and friction ──────────────────────────────────────────────────
 
 /**
- * One Gauss–Seidel iteration over the first `count` live contacts: both normals of a manifold together (the 2×2 block of
- * the complementarity problem, by cases), then friction in the interval ±μ·impulse.
+ * One Gauss–Seidel iteration over the first `count` live contacts: both normals of a manifold together (the
+ * 2×2 block of the complementarity problem, by cases), then friction in the interval ±μ·impulse.
  *
- * Every contact has a turn, counted on from `start`. It is visited if its last turn, or one since, changed a velocity of one
- * of its bodies by more than the tolerance. Returns the last turn that changed any, `start` if none did.
+ * Every contact has a turn, counted on from `start`. It is visited if its last turn, or one since, changed a
+ * velocity of one of its bodies by more than the tolerance. Returns the last turn that changed any, `start`
+ * if none did.
  */
 function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation
@@ -1574,9 +1703,9 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
 // solver/entry: chips on their way into the stage ───────────────────────────────────────────────────────────
 
 /**
- * Notes whether body `i` is in the stage, as the ceiling is there only for what is. Chips come in from above: gravity that
- * pulls aside or up has no hold on one before it is in. Static until then, it comes down at a speed of its own and shoves
- * aside what lies in the way.
+ * Notes whether body `i` is in the stage, as the ceiling is there only for what is. Chips come in from above:
+ * gravity that pulls aside or up has no hold on one before it is in. Static until then, it comes down at a
+ * speed of its own and shoves aside what lies in the way.
  */
 function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation, i: number): void {
   const { box, density, held, inside, shape, state } = bodies
@@ -1621,13 +1750,19 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
   return gap < -DEEP_OVERLAP
 }
 
-/** Corrects the point that `separationAndRate` looked at before a sub-step, unless its bodies part by themselves. */
+/**
+ * Corrects the point that `separationAndRate` looked at before a sub-step, unless its bodies part by
+ * themselves.
+ */
 function correctEarly(simulation: Simulation, c: number, p: number): void {
   if (manifold[GAP_NOW] + LINEAR_SLOP + manifold[RATE_NOW] * simulation.h > 0) return
   correctPoint(simulation, c, p)
 }
 
-/** Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was deep. */
+/**
+ * Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was
+ * deep.
+ */
 function correctPositions(simulation: Simulation, slowOnly: boolean): boolean {
   const { contacts, cramped } = simulation
   const { live, liveCount, points } = contacts
@@ -1647,7 +1782,10 @@ function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
   return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
 }
 
-/** Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room only upwards. */
+/**
+ * Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room
+ * only upwards.
+ */
 function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
@@ -1700,9 +1838,9 @@ function keepInside(simulation: Simulation): void {
 // solver/restitution: impacts, at their time inside a sub-step ──────────────────────────────────────────────
 
 /**
- * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity changes at the
- * start of the sub-step, and the pose goes back by what the change would have moved too early: exact for each, at any step.
- * What is struck is asked anew what it hits.
+ * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity
+ * changes at the start of the sub-step, and the pose goes back by what the change would have moved too early:
+ * exact for each, at any step. What is struck is asked anew what it hits.
  */
 
 /** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
@@ -1711,8 +1849,8 @@ const ahead: Float64Array = new Float64Array(1)
 const FREE = 1e9
 
 /**
- * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. Its velocity bias is then what makes it
- * leave as it should, from the velocity at the start of the sub-step.
+ * Whether a point of contact `c` will hit within the sub-step hard enough to bounce. Its velocity bias is
+ * then what makes it leave as it should, from the velocity at the start of the sub-step.
  */
 function foreseeImpact(simulation: Simulation, c: number): boolean {
   const { bodies, contacts, bounce, h, pull, threshold } = simulation
@@ -1729,7 +1867,8 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
-    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will take it back.
+    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will
+    // take it back.
     const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
@@ -1765,7 +1904,10 @@ function queueImpact(simulation: Simulation, c: number): boolean {
   return true
 }
 
-/** Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that already push. */
+/**
+ * Change, over the sub-step, of field `axis` of body `i`'s velocity by gravity and by the contacts that
+ * already push.
+ */
 function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): number {
   return isStatic(bodies, i) ? 0 : bodies.motion[i * MOTION + axis] + (axis < 2 ? gravity[axis] * h : 0)
 }
@@ -1773,7 +1915,10 @@ function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): nu
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
 const kept: Float64Array = new Float64Array(12)
 
-/** Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of its eve. */
+/**
+ * Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of
+ * its eve.
+ */
 function measureAt(simulation: Simulation, c: number, time: number): void {
   const { bodies, contacts, h } = simulation
   const { state } = bodies
@@ -1831,7 +1976,8 @@ function solveImpact(simulation: Simulation, c: number): void {
   d[k + SECOND + NORMAL_IMPULSE] = n2
   d[k + TANGENT_IMPULSE] = t
   d[k + TANGENT_BIAS] = 0
-  // Restitution and friction together may ask for more energy than there was: then all of the impulse is less.
+  // Restitution and friction together may ask for more energy than there was: then all of the impulse is
+  // less.
   let first = 0
   let second = 0
   for (let n = 0; n < 6; n++) {
@@ -1915,7 +2061,10 @@ function updateContacts(simulation: Simulation): void {
   }
 }
 
-/** Lists the contacts that touch, and sets how fast each of those that have moved may close its gap in the sub-step. */
+/**
+ * Lists the contacts that touch, and sets how fast each of those that have moved may close its gap in the
+ * sub-step.
+ */
 function prepareContacts(simulation: Simulation): void {
   const { bodies, contacts, h } = simulation
   const { data: d, near, nearCount, pair, points, live } = contacts
@@ -1943,8 +2092,8 @@ function prepareContacts(simulation: Simulation): void {
 const PASSES = CORRECTIONS / 4
 
 /**
- * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No velocity
- * changes, so that nothing is thrown. After a jump it takes some steps.
+ * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No
+ * velocity changes, so that nothing is thrown. After a jump it takes some steps.
  */
 function makeRoom(simulation: Simulation): void {
   const { contacts } = simulation
@@ -1973,13 +2122,16 @@ function makeRoom(simulation: Simulation): void {
 // solver/mouse-joint: the soft point constraint of a held chip ──────────────────────────────────────────────
 
 /**
- * The mouse joint holds a chip: a critically damped spring from the grabbed point to the pointer, solved implicitly, with a
- * limit to its force, so that a chip pressed into the pile can't crush it.
+ * The mouse joint holds a chip: a critically damped spring from the grabbed point to the pointer, solved
+ * implicitly, with a limit to its force, so that a chip pressed into the pile can't crush it.
  */
 
 /** rad/s, natural frequency of the spring. */
 const OMEGA = 2 * Math.PI * JOINT_HERTZ
-/** px that the grabbed point may be off, beside what it trails at the pointer's speed, when its chip is thrown. */
+/**
+ * px that the grabbed point may be off, beside what it trails at the pointer's speed, when its chip is
+ * thrown.
+ */
 const THROW_SLACK = 16
 /** s after the pointer's last move until word of the same place counts as a stop. */
 const THROW_PAUSE = 0.025
@@ -2008,7 +2160,10 @@ function createJoint(bodies: Bodies, body: number, x: number, y: number): MouseJ
   }
 }
 
-/** Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards is in reach. */
+/**
+ * Finds the arm and the target of `joint` at the body's present angle. Without a ceiling every place upwards
+ * is in reach.
+ */
 function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint): void {
   const { motion } = bodies
   const m = joint.body * MOTION
@@ -2030,7 +2185,8 @@ function prepareJoint(simulation: Simulation, joint: MouseJoint): void {
   const m = joint.body * MOTION
   const angle = state[s + ANGLE]
   const { armX, armY } = joint
-  // The arm is that at the end of the sub-step, as at a wall: else a chip pulled against one rocks ever faster.
+  // The arm is that at the end of the sub-step, as at a wall: else a chip pulled against one rocks ever
+  // faster.
   state[s + ANGLE] += h * (state[s + SPIN] + 0.5 * motion[m + WARM_SPIN])
   aim(simulation, joint)
   state[s + ANGLE] = angle
@@ -2103,8 +2259,9 @@ function movePointer(joint: MouseJoint, x: number, y: number, seconds: number): 
 }
 
 /**
- * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept up with it; of a
- * slow pointer's less, as what swings below a hand swings on. Another joint that still holds the body decides alone.
+ * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept
+ * up with it; of a slow pointer's less, as what swings below a hand swings on. Another joint that still holds
+ * the body decides alone.
  */
 function throwBody(simulation: Simulation, joint: MouseJoint): void {
   const { state, held } = simulation.bodies
@@ -2130,11 +2287,13 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
       aim(simulation, joint)
       const x = state[s + X] + joint.armX
       const y = state[s + Y] + joint.armY
-      // A damped spring trails its target by 2/ω s. A body half as much farther behind is stuck, and does not go as fast.
+      // A damped spring trails its target by 2/ω s. A body half as much farther behind is stuck, and does not
+      // go as fast.
       const isNear = (toX: number, toY: number) =>
         Math.sqrt((x - toX) * (x - toX) + (y - toY) * (y - toY)) < THROW_SLACK + (3 / OMEGA) * speed
       const close = isNear(joint.x, joint.y)
-      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the wall only.
+      // A body that keeps level with a pointer far outside of a wall takes the pointer's velocity along the
+      // wall only.
       const level = isNear(joint.targetX, joint.targetY)
       if (close || (level && joint.targetX === joint.x)) state[s + VX] += share * (tx / tt - state[s + VX])
       if (close || (level && joint.targetY === joint.y)) state[s + VY] += share * (ty / tt - state[s + VY])
@@ -2146,9 +2305,10 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
 // solver/push: a disc that pushes chips aside ───────────────────────────────────────────────────────────────
 
 /**
- * Push: a disc of `radius` px goes from (x, y) by (goX, goY) in `seconds`. Each chip in its way gets the impulse along the normal
- * with which it moves as fast there as the disc does, though never faster than a toss. Between two pushes there is no disc,
- * so that it presses nothing against a wall, and nothing has to lie beside it.
+ * Push: a disc of `radius` px goes from (x, y) by (goX, goY) in `seconds`. Each chip in its way gets the
+ * impulse along the normal with which it moves as fast there as the disc does, though never faster than a
+ * toss. Between two pushes there is no disc, so that it presses nothing against a wall, and nothing has to
+ * lie beside it.
  */
 function pushBodies(
   simulation: Simulation,
@@ -2196,8 +2356,8 @@ function pushBodies(
 // solver/step: the algorithm: one step of all that is awake ─────────────────────────────────────────────────
 
 /**
- * One step of all that is awake. What runs in a step is outside of the world that calls it: functions made anew for every
- * world would be compiled anew as well.
+ * One step of all that is awake. What runs in a step is outside of the world that calls it: functions made
+ * anew for every world would be compiled anew as well.
  */
 function step(simulation: Simulation): void {
   const { substeps } = simulation
@@ -2231,7 +2391,10 @@ function substep(simulation: Simulation): boolean {
   return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
 }
 
-/** Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to that. */
+/**
+ * Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to
+ * that.
+ */
 function solveContacts(simulation: Simulation): boolean {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount
@@ -2256,7 +2419,10 @@ function rememberPoses({ bodies }: Simulation): void {
     for (let axis = X; axis <= ANGLE; axis++) before[awake[n] * 3 + axis] = state[awake[n] * STATE + axis]
 }
 
-/** Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is supported. */
+/**
+ * Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is
+ * supported.
+ */
 function startWarm(simulation: Simulation): void {
   const { bodies, contacts, joints } = simulation
   const { data: d, near, nearCount, pair, points } = contacts
@@ -2284,7 +2450,10 @@ function startWarm(simulation: Simulation): void {
   for (const joint of joints) warmStartJoint(bodies, joint)
 }
 
-/** Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be stirred. */
+/**
+ * Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be
+ * stirred.
+ */
 function correctOverlaps(simulation: Simulation): void {
   let deep = correctPositions(simulation, false)
   for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation, true)
@@ -2357,8 +2526,8 @@ interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or if that is
-   * slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
+   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
    */
   release(): void
 }
@@ -2395,7 +2564,10 @@ function createWorld(options: WorldOptions) {
   enclose(size(options.width), size(options.height))
 
   return {
-    /** Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves aside. */
+    /**
+     * Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves
+     * aside.
+     */
     add(body: BodyOptions): number {
       const { density } = body
       const i = scene.freeSlots.pop() ?? bodies.count++
@@ -2460,7 +2632,10 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Parts what moved walls or grown chips have pressed together, without a step: no time passes, and nothing else moves. */
+    /**
+     * Parts what moved walls or grown chips have pressed together, without a step: no time passes, and
+     * nothing else moves.
+     */
     makeRoom(): void {
       scene.revision++
       const { state, before } = bodies
@@ -2504,7 +2679,8 @@ function createWorld(options: WorldOptions) {
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
       scene.left += within(seconds, 0, 3600, 0)
-      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put off.
+      // A thousandth of a step of grace, so that a step handed in as a rounded number of seconds is not put
+      // off.
       while (scene.left >= STEP * 0.999) {
         scene.left -= STEP
         if (bodies.awakeCount > 0) step(scene)
@@ -2546,13 +2722,18 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal. */
+    /**
+     * Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal.
+     */
     follow(other: { scene: Simulation }): void {
       copy(other.scene, scene)
       bodies.held.fill(0)
     },
 
-    /** Whether `other` still goes the way it went when this world followed it: only time and new bodies came since. */
+    /**
+     * Whether `other` still goes the way it went when this world followed it: only time and new bodies came
+     * since.
+     */
     follows(other: { scene: Simulation }): boolean {
       return scene.revision === other.scene.revision
     },
@@ -2683,7 +2864,10 @@ function createWorld(options: WorldOptions) {
   }
 }
 
-/** Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares them. */
+/**
+ * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed
+ * shares them.
+ */
 function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>
   for (const [name, value] of Object.entries(from)) {
@@ -2700,7 +2884,10 @@ function copy(from: object, to: object): void {
 
 /** px, how thick walls are. */
 const THICK = 1000
-/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+/**
+ * px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their
+ * precision.
+ */
 const FAR = 1e6
 
 function finite(value: number | undefined, otherwise = 0): number {
