@@ -521,6 +521,94 @@ class Simulation {
   work: Float64Array = new Float64Array(5)
 }
 
+// solver/input: what callers of the world pass, and what holds instead of what makes no sense ───────────────
+
+interface Vector {
+  x: number
+  y: number
+}
+
+interface WorldOptions {
+  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
+  width: number
+  height: number
+  /** px/s² downwards, or to the right and downwards. */
+  gravity?: number | Vector | undefined
+  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
+  ceiling?: boolean | undefined
+  /** Restitution, 0..1. */
+  bounce?: number
+  /** Coulomb coefficient, 0 or more. */
+  friction?: number
+  /** 1/s, drag of the air on velocity and on spin. */
+  linearDamping?: number
+  angularDamping?: number
+  /** px/s of approach below which nothing bounces. */
+  bounceThreshold?: number
+  /** `false` keeps every body awake, for measuring. */
+  sleep?: boolean
+  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
+  substeps?: number
+}
+
+interface BodyOptions {
+  /** px, outer size and corner radius. */
+  width: number
+  height: number
+  radius?: number
+  /** px, centre; radians clockwise on screen. */
+  x: number
+  y: number
+  angle?: number
+  /** px/s and rad/s. */
+  vx?: number
+  vy?: number
+  spin?: number
+  /** Mass a px². */
+  density?: number
+}
+
+/** Pose and velocity of a body: px, radians, px/s, rad/s. */
+interface Reading {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
+type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
+
+interface Grab {
+  /** Where the pointer is, px, and when it was there, s on any clock. */
+  moveTo(x: number, y: number, seconds: number): void
+  /**
+   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
+   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
+   */
+  release(): void
+}
+
+/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+const FAR = 1e6
+
+/** `value`, or `otherwise` if it is no finite number. */
+function finite(value: number | undefined, otherwise = 0): number {
+  return typeof value === 'number' && value - value === 0 ? value : otherwise
+}
+
+/** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
+function within(value: number | undefined, least: number, most: number, otherwise: number): number {
+  return Math.max(least, Math.min(most, finite(value, otherwise)))
+}
+
+/** px; a size below 1 px, or none, counts as 1 px. */
+function sizeOf(value: number): number {
+  return within(value, 1, FAR, 0)
+}
+
 // solver/math: rotation and damping, the same bits in every engine ──────────────────────────────────────────
 
 /** Makes every array of `owner` twice as long. */
@@ -628,6 +716,11 @@ function setPose(bodies: Bodies, i: number, x: number, y: number, angle: number)
  */
 function isStatic({ state }: Bodies, i: number): boolean {
   return state[i * STATE + INV_MASS] === 0
+}
+
+/** Whether body `i` is an obstacle: it stays where it is put, and what it is put on moves aside. */
+function isObstacleBody({ density }: Bodies, i: number): boolean {
+  return density[i] === Infinity
 }
 
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
@@ -946,6 +1039,17 @@ function resetContact({ data, due, points }: Contacts, c: number): void {
   data.fill(0, c * CONTACT, (c + 1) * CONTACT)
   points[c] = 0
   data[c * CONTACT + SEPARATION] = due[c] = -Infinity
+}
+
+/** Makes the contacts of body `i` anew at the next look at them, and its box if it is a chip. */
+function resetContacts(bodies: Bodies, contacts: Contacts, i: number): void {
+  if (!isObstacleBody(bodies, i)) bodies.box[i * 4] = Infinity
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
+}
+
+/** Has the contacts of body `i` looked at again: it has a new velocity and has not moved. */
+function checkContacts({ due, head, next }: Contacts, i: number): void {
+  for (let edge = head[i]; edge >= 0; edge = next[edge]) due[edge >> 1] = -Infinity
 }
 
 /** Impulse along the normal of contact `c`, of both its points. */
@@ -2119,6 +2223,21 @@ function makeRoom(simulation: Simulation): void {
   }
 }
 
+/** Makes room without a step: no time passes, and nothing else moves. */
+function makeRoomAtOnce(simulation: Simulation): void {
+  const { state, before, count } = simulation.bodies
+  simulation.revision++
+  const shift = (sign: number) => {
+    for (let i = FIRST_CHIP; i < count; i++)
+      for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
+  }
+  // What is drawn lies between two poses: both move by as much.
+  shift(-1)
+  makeRoom(simulation)
+  keepInside(simulation)
+  shift(1)
+}
+
 // solver/mouse-joint: the soft point constraint of a held chip ──────────────────────────────────────────────
 
 /**
@@ -2302,6 +2421,182 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
   capSpeed(state, s, MAX_TOSS)
 }
 
+// solver/surroundings: walls, ceiling, gravity, friction ────────────────────────────────────────────────────
+
+/** px, how thick walls are. */
+const THICK = 1000
+
+/** Adds floor, walls and ceiling to a new world. */
+function addWalls({ bodies }: Simulation): void {
+  for (let i = 0; i < PUSHER; i++) {
+    bodies.order[bodies.orderCount++] = i
+    const upright = i % CEILING > 0
+    setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
+  }
+}
+
+/** Puts floor and walls where a stage of this size (px) has them. */
+function enclose(simulation: Simulation, width: number, height: number): void {
+  const { bodies, contacts } = simulation
+  simulation.width = width
+  simulation.height = height
+  const far = FAR / 2
+  const thick = THICK / 2
+  setPose(bodies, 0, width / 2, height + thick, 0)
+  setPose(bodies, 1, -thick, 0, 0)
+  setPose(bodies, 2, width + thick, 0, 0)
+  setPose(bodies, CEILING, width / 2, -thick, 0)
+  bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
+  setCeiling(simulation, simulation.ceiling)
+  for (let i = FIRST_CHIP; i < bodies.count; i++) resetContacts(bodies, contacts, i)
+}
+
+/** Closes or opens the top. An open ceiling is where nothing comes near it. */
+function setCeiling(simulation: Simulation, closed: boolean): void {
+  simulation.ceiling = closed
+  simulation.bodies.box[CEILING * 4] = closed ? -FAR : Infinity
+}
+
+/** Sets gravity, px/s²: downwards, or to the right and downwards. A part that is left out stays as it is. */
+function setGravity(simulation: Simulation, given: number | Vector | undefined): void {
+  const { gravity } = simulation
+  const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
+  gravity[X] = within(x, -1e5, 1e5, gravity[X])
+  gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
+  simulation.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
+}
+
+/** What of a world may be changed while it lives. */
+type Change = Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>
+
+/** Changes gravity, ceiling, bounce or friction; wakes everything. */
+function configure(simulation: Simulation, change: Change): void {
+  const { bodies, contacts, gravity, pull } = simulation
+  const [oldX, oldY] = gravity
+  setGravity(simulation, change.gravity)
+  simulation.friction = within(change.friction, 0, 100, simulation.friction)
+  // What rests weighs as much more or less at once: else a pile hops.
+  const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
+  for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
+    contacts.data[k + NORMAL_IMPULSE] *= share
+    contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
+    contacts.data[k + TANGENT_IMPULSE] *= simulation.friction > 0 ? share : 0
+  }
+  simulation.revision++
+  simulation.bounce = within(change.bounce, 0, 1, simulation.bounce)
+  setCeiling(simulation, change.ceiling ?? simulation.ceiling)
+  wakeAll(simulation)
+  for (let n = 0; n < bodies.awakeCount; n++) updateEntry(simulation, bodies.awake[n])
+}
+
+/** Wakes every chip. */
+function wakeAll(simulation: Simulation): void {
+  for (let i = FIRST_CHIP; i < simulation.bodies.count; i++) {
+    wake(simulation, i)
+  }
+}
+
+// solver/population: bodies come, go and are changed from outside ───────────────────────────────────────────
+
+/** Adds a body and returns its id. */
+function addBody(simulation: Simulation, body: BodyOptions): number {
+  const { bodies, contacts, freeSlots } = simulation
+  const { density } = body
+  const i = freeSlots.pop() ?? bodies.count++
+  if (bodies.alive.length < bodies.count) grow(bodies)
+  // Lists of contacts are by body, contacts by need.
+  while (contacts.head.length < bodies.count) grow(contacts)
+  bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
+  setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
+  bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
+  move(simulation, i, body)
+  bodies.alive[i] = bodies.inside[i] = 1
+  bodies.held[i] = bodies.asleep[i] = 0
+  contacts.head[i] = -1
+  bodies.order[bodies.orderCount++] = i
+  if (isObstacleBody(bodies, i)) bodies.staticCount++
+  else wakeAlone(bodies, i)
+  welcome(simulation, i)
+  return i
+}
+
+/** Takes body `i` out; what leaned on it wakes. */
+function removeBody(simulation: Simulation, i: number): void {
+  const { bodies, contacts, joints } = simulation
+  simulation.revision++
+  wakeTouching(simulation, i)
+  if (isObstacleBody(bodies, i)) bodies.staticCount--
+  for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === i) joints.splice(n, 1)
+  while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
+  bodies.orderCount = without(bodies.order, i, bodies.orderCount)
+  bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
+  bodies.alive[i] = 0
+  simulation.freeSlots.push(i)
+}
+
+/** Moves body `i` to where and as fast as is given; what leaned on it wakes. */
+function placeBody(simulation: Simulation, i: number, motion: Motion): void {
+  simulation.revision++
+  wakeTouching(simulation, i)
+  move(simulation, i, motion)
+  welcome(simulation, i)
+}
+
+/** Gives body `i` a new size (px) in place; what it touches wakes. */
+function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
+  const { bodies } = simulation
+  simulation.revision++
+  wakeTouching(simulation, i)
+  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
+  welcome(simulation, i)
+  simulation.cramped = WEDGED_STEPS
+}
+
+type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
+
+/** Sets pose and velocity of body `i`; what `motion` leaves out stays as it is. */
+function move({ bodies }: Simulation, i: number, motion: Motion): void {
+  const { state } = bodies
+  const s = i * STATE
+  setPose(
+    bodies,
+    i,
+    within(motion.x, -FAR, FAR, state[s + X]),
+    within(motion.y, -FAR, FAR, state[s + Y]),
+    within(motion.angle, -FAR, FAR, state[s + ANGLE]),
+  )
+  state[s + VX] = finite(motion.vx, state[s + VX])
+  state[s + VY] = finite(motion.vy, state[s + VY])
+  state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
+  capSpeed(state, s, MAX_SPEED)
+}
+
+/** Body `i` has come, or was moved or changed from outside: what is near an obstacle wakes and moves aside. */
+function welcome(simulation: Simulation, i: number): void {
+  const { bodies, contacts } = simulation
+  const { box, boxed, state } = bodies
+  resetContacts(bodies, contacts, i)
+  if (!isObstacleBody(bodies, i)) {
+    updateEntry(simulation, i)
+    return
+  }
+  halfExtents(bodies, i, 0, 0)
+  for (let side = 0; side < 4; side++)
+    box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
+  boxed[i] = 1
+  for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
+  simulation.revision++
+  simulation.cramped = WEDGED_STEPS
+}
+
+/** Takes `i` out of the first `count` of a list; returns how many are left. */
+function without(list: Int32Array, i: number, count: number): number {
+  const at = list.indexOf(i)
+  if (at < 0) return count
+  list.copyWithin(at, at + 1, count)
+  return count - 1
+}
+
 // solver/push: a disc that pushes chips aside ───────────────────────────────────────────────────────────────
 
 /**
@@ -2346,9 +2641,7 @@ function pushBodies(
       capSpeed(state, s, MAX_TOSS)
       simulation.revision++
       wake(simulation, i)
-      // It has a new velocity and has not moved: what it is pushed into is looked at all the same.
-      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-        contacts.due[edge >> 1] = -Infinity
+      checkContacts(contacts, i)
     }
   }
 }
@@ -2462,75 +2755,64 @@ function correctOverlaps(simulation: Simulation): void {
   if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
 
+// solver/grab: a chip in a hand ─────────────────────────────────────────────────────────────────────────────
+
+/** Takes hold of body `i` at the point (x, y) of the stage, px; of one that is gone nothing comes. */
+function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
+  const { bodies, contacts, joints } = simulation
+  const s = i * STATE
+  const joint = createJoint(
+    bodies,
+    i,
+    within(x, -FAR, FAR, bodies.state[s + X]),
+    within(y, -FAR, FAR, bodies.state[s + Y]),
+  )
+  if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
+    simulation.revision++
+    wakeTouching(simulation, i)
+    bodies.held[i]++
+    // What is taken as it comes in has a mass from now on.
+    updateEntry(simulation, i)
+    joints.push(joint)
+  }
+  return {
+    moveTo(toX, toY, seconds) {
+      const when = within(seconds, -1e12, 1e12, 0)
+      movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), when)
+    },
+    release() {
+      const n = joints.indexOf(joint)
+      if (n < 0) return
+      simulation.revision++
+      joints.splice(n, 1)
+      bodies.held[i]--
+      throwBody(simulation, joint)
+      checkContacts(contacts, i)
+    },
+  }
+}
+
+// solver/copy: a world made equal to another ────────────────────────────────────────────────────────────────
+
+/**
+ * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares
+ * them.
+ */
+function copy(from: object, to: object): void {
+  const target = to as Record<string, unknown>
+  for (const [name, value] of Object.entries(from)) {
+    if (name === 'joints') continue
+    const own = target[name]
+    if (typeof value !== 'object') target[name] = value
+    else if (Array.isArray(value)) target[name] = [...value]
+    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
+    else if ((own as Float64Array).length === (value as Float64Array).length)
+      (own as Float64Array).set(value as Float64Array)
+    else target[name] = (value as Float64Array).slice()
+  }
+}
+
 // solver/world: what the stage calls ────────────────────────────────────────────────────────────────────────
-
-interface Vector {
-  x: number
-  y: number
-}
-
-interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
-  width: number
-  height: number
-  /** px/s² downwards, or to the right and downwards. */
-  gravity?: number | Vector | undefined
-  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
-  ceiling?: boolean | undefined
-  /** Restitution, 0..1. */
-  bounce?: number
-  /** Coulomb coefficient, 0 or more. */
-  friction?: number
-  /** 1/s, drag of the air on velocity and on spin. */
-  linearDamping?: number
-  angularDamping?: number
-  /** px/s of approach below which nothing bounces. */
-  bounceThreshold?: number
-  /** `false` keeps every body awake, for measuring. */
-  sleep?: boolean
-  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
-  substeps?: number
-}
-
-interface BodyOptions {
-  /** px, outer size and corner radius. */
-  width: number
-  height: number
-  radius?: number
-  /** px, centre; radians clockwise on screen. */
-  x: number
-  y: number
-  angle?: number
-  /** px/s and rad/s. */
-  vx?: number
-  vy?: number
-  spin?: number
-  /** Mass a px². */
-  density?: number
-}
-
-/** Pose and velocity of a body: px, radians, px/s, rad/s. */
-interface Reading {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
-}
-
-type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
-
-interface Grab {
-  /** Where the pointer is, px, and when it was there, s on any clock. */
-  moveTo(x: number, y: number, seconds: number): void
-  /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
-   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
-   */
-  release(): void
-}
 
 type World = ReturnType<typeof createWorld>
 
@@ -2541,7 +2823,7 @@ type World = ReturnType<typeof createWorld>
 function createWorld(options: WorldOptions) {
   const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const scene = new Simulation()
-  const { bodies, contacts, impactRegime, joints } = scene
+  const { bodies, impactRegime } = scene
   scene.substeps = substeps
   scene.left = 0
   scene.h = STEP / substeps
@@ -2549,19 +2831,14 @@ function createWorld(options: WorldOptions) {
   scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
   impactRegime.relaxation = 1
   scene.gravity[Y] = GRAVITY
-  setGravity(options.gravity)
+  setGravity(scene, options.gravity)
   scene.bounce = within(options.bounce, 0, 1, BOUNCE)
   scene.friction = within(options.friction, 0, 100, FRICTION)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  // Floor and walls.
-  for (let i = 0; i < PUSHER; i++) {
-    bodies.order[bodies.orderCount++] = i
-    const upright = i % CEILING > 0
-    setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
-  }
   scene.ceiling = options.ceiling === true
-  enclose(size(options.width), size(options.height))
+  addWalls(scene)
+  enclose(scene, sizeOf(options.width), sizeOf(options.height))
 
   return {
     /**
@@ -2569,65 +2846,30 @@ function createWorld(options: WorldOptions) {
      * aside.
      */
     add(body: BodyOptions): number {
-      const { density } = body
-      const i = scene.freeSlots.pop() ?? bodies.count++
-      if (bodies.alive.length < bodies.count) grow(bodies)
-      // Lists of contacts are by body, contacts by need.
-      while (contacts.head.length < bodies.count) grow(contacts)
-      const obstacle = density === Infinity
-      bodies.density[i] = obstacle ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
-      setShape(bodies, i, size(body.width), size(body.height), finite(body.radius), bodies.density[i])
-      bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
-      put(i, body)
-      bodies.alive[i] = bodies.inside[i] = 1
-      bodies.held[i] = bodies.asleep[i] = 0
-      contacts.head[i] = -1
-      bodies.order[bodies.orderCount++] = i
-      if (obstacle) bodies.staticCount++
-      else wakeAlone(bodies, i)
-      changed(i)
-      return i
+      return addBody(scene, body)
     },
 
     /** Takes body `id` out; what leaned on it wakes. */
     remove(id: number): void {
-      if (!bodies.alive[id]) return
-      scene.revision++
-      wakeTouching(scene, id)
-      if (isObstacle(id)) bodies.staticCount--
-      for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === id) joints.splice(n, 1)
-      while (contacts.head[id] >= 0) removeContact(contacts, contacts.head[id] >> 1)
-      bodies.orderCount = without(bodies.order, id, bodies.orderCount)
-      bodies.awakeCount = without(bodies.awake, id, bodies.awakeCount)
-      bodies.alive[id] = 0
-      scene.freeSlots.push(id)
+      if (bodies.alive[id]) removeBody(scene, id)
     },
 
     /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
     place(id: number, motion: Motion): void {
-      if (!bodies.alive[id]) return
-      scene.revision++
-      wakeTouching(scene, id)
-      put(id, motion)
-      changed(id)
+      if (bodies.alive[id]) placeBody(scene, id, motion)
     },
 
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
-    reshape(id: number, shape: { width: number; height: number; radius?: number }): void {
-      if (!bodies.alive[id]) return
-      scene.revision++
-      wakeTouching(scene, id)
-      setShape(bodies, id, size(shape.width), size(shape.height), finite(shape.radius), bodies.density[id])
-      changed(id)
-      scene.cramped = WEDGED_STEPS
+    reshape(id: number, shape: Shape): void {
+      if (bodies.alive[id]) reshapeBody(scene, id, shape)
     },
 
     /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
-      if (size(width) !== scene.width || size(height) !== scene.height) {
+      if (sizeOf(width) !== scene.width || sizeOf(height) !== scene.height) {
         scene.revision++
-        enclose(size(width), size(height))
-        wakeAll()
+        enclose(scene, sizeOf(width), sizeOf(height))
+        wakeAll(scene)
         scene.cramped = WEDGED_STEPS
       }
     },
@@ -2637,38 +2879,12 @@ function createWorld(options: WorldOptions) {
      * nothing else moves.
      */
     makeRoom(): void {
-      scene.revision++
-      const { state, before } = bodies
-      const shift = (sign: number) => {
-        for (let i = FIRST_CHIP; i < bodies.count; i++)
-          for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
-      }
-      // What is drawn lies between two poses: both move by as much.
-      shift(-1)
-      makeRoom(scene)
-      keepInside(scene)
-      shift(1)
+      makeRoomAtOnce(scene)
     },
 
     /** Changes gravity (px/s²), ceiling, bounce or friction; wakes everything. */
-    configure(change: Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>): void {
-      const { gravity, pull } = scene
-      const [oldX, oldY] = gravity
-      setGravity(change.gravity)
-      scene.friction = within(change.friction, 0, 100, scene.friction)
-      // What rests weighs as much more or less at once: else a pile hops.
-      const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
-      for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
-        contacts.data[k + NORMAL_IMPULSE] *= share
-        contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
-        contacts.data[k + TANGENT_IMPULSE] *= scene.friction > 0 ? share : 0
-      }
-      scene.revision++
-      scene.bounce = within(change.bounce, 0, 1, scene.bounce)
-      scene.ceiling = change.ceiling ?? scene.ceiling
-      encloseTop()
-      wakeAll()
-      for (let n = 0; n < bodies.awakeCount; n++) updateEntry(scene, bodies.awake[n])
+    configure(change: Change): void {
+      configure(scene, change)
     },
 
     /** Pushes what is in the way of a disc that goes from one place to another; see `pushBodies`. */
@@ -2689,37 +2905,7 @@ function createWorld(options: WorldOptions) {
 
     /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
     grab(id: number, x: number, y: number): Grab {
-      const joint = createJoint(
-        bodies,
-        id,
-        within(x, -FAR, FAR, bodies.state[id * STATE + X]),
-        within(y, -FAR, FAR, bodies.state[id * STATE + Y]),
-      )
-      if (bodies.alive[id] && !isObstacle(id)) {
-        scene.revision++
-        wakeTouching(scene, id)
-        bodies.held[id]++
-        // What is taken as it comes in has a mass from now on.
-        updateEntry(scene, id)
-        joints.push(joint)
-      }
-      return {
-        moveTo(toX, toY, seconds) {
-          const when = within(seconds, -1e12, 1e12, 0)
-          movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), when)
-        },
-        release() {
-          const n = joints.indexOf(joint)
-          if (n < 0) return
-          scene.revision++
-          joints.splice(n, 1)
-          bodies.held[id]--
-          throwBody(scene, joint)
-          // It has a new velocity and has not moved: what it is flicked into is looked at all the same.
-          for (let edge = contacts.head[id]; edge >= 0; edge = contacts.next[edge])
-            contacts.due[edge >> 1] = -Infinity
-        },
-      }
+      return grab(scene, id, x, y)
     },
 
     /**
@@ -2783,133 +2969,6 @@ function createWorld(options: WorldOptions) {
       return bodies.awakeCount === 0
     },
   }
-
-  /** Puts body `i` where and as fast as `motion` says; what that leaves out stays as it is. */
-  function put(i: number, motion: Motion): void {
-    const { state } = bodies
-    const s = i * STATE
-    setPose(
-      bodies,
-      i,
-      within(motion.x, -FAR, FAR, state[s + X]),
-      within(motion.y, -FAR, FAR, state[s + Y]),
-      within(motion.angle, -FAR, FAR, state[s + ANGLE]),
-    )
-    state[s + VX] = finite(motion.vx, state[s + VX])
-    state[s + VY] = finite(motion.vy, state[s + VY])
-    state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
-    capSpeed(state, s, MAX_SPEED)
-  }
-
-  /** Puts floor and walls where they belong. */
-  function enclose(width: number, height: number): void {
-    scene.width = width
-    scene.height = height
-    const far = FAR / 2
-    const thick = THICK / 2
-    setPose(bodies, 0, width / 2, height + thick, 0)
-    setPose(bodies, 1, -thick, 0, 0)
-    setPose(bodies, 2, width + thick, 0, 0)
-    setPose(bodies, CEILING, width / 2, -thick, 0)
-    bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
-    encloseTop()
-    for (let i = FIRST_CHIP; i < bodies.count; i++) forget(i)
-  }
-
-  /** An open ceiling is where nothing comes near it. */
-  function encloseTop(): void {
-    bodies.box[CEILING * 4] = scene.ceiling ? -FAR : Infinity
-  }
-
-  function setGravity(given: number | Vector | undefined): void {
-    const { gravity } = scene
-    const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
-    gravity[X] = within(x, -1e5, 1e5, gravity[X])
-    gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
-    scene.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
-  }
-
-  function isObstacle(i: number): boolean {
-    return bodies.density[i] === Infinity
-  }
-
-  function wakeAll(): void {
-    for (let i = FIRST_CHIP; i < bodies.count; i++) {
-      wake(scene, i)
-    }
-  }
-
-  /** Body `i` has come, or was moved or changed by hand. */
-  function changed(i: number): void {
-    const { box, boxed, state } = bodies
-    forget(i)
-    if (!isObstacle(i)) {
-      updateEntry(scene, i)
-      return
-    }
-    // What is near an obstacle wakes, and what is in it moves aside.
-    halfExtents(bodies, i, 0, 0)
-    for (let side = 0; side < 4; side++)
-      box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
-    boxed[i] = 1
-    for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(scene, j)
-    scene.revision++
-    scene.cramped = WEDGED_STEPS
-  }
-
-  /** The contacts of body `i` are made anew, and the box of a chip. */
-  function forget(i: number): void {
-    if (!isObstacle(i)) bodies.box[i * 4] = Infinity
-    for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
-  }
-}
-
-/**
- * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed
- * shares them.
- */
-function copy(from: object, to: object): void {
-  const target = to as Record<string, unknown>
-  for (const [name, value] of Object.entries(from)) {
-    if (name === 'joints') continue
-    const own = target[name]
-    if (typeof value !== 'object') target[name] = value
-    else if (Array.isArray(value)) target[name] = [...value]
-    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
-    else if ((own as Float64Array).length === (value as Float64Array).length)
-      (own as Float64Array).set(value as Float64Array)
-    else target[name] = (value as Float64Array).slice()
-  }
-}
-
-/** px, how thick walls are. */
-const THICK = 1000
-/**
- * px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their
- * precision.
- */
-const FAR = 1e6
-
-function finite(value: number | undefined, otherwise = 0): number {
-  return typeof value === 'number' && value - value === 0 ? value : otherwise
-}
-
-/** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
-function within(value: number | undefined, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
-}
-
-/** Takes `i` out of the first `count` of a list; returns how many are left. */
-function without(list: Int32Array, i: number, count: number): number {
-  const at = list.indexOf(i)
-  if (at < 0) return count
-  list.copyWithin(at, at + 1, count)
-  return count - 1
-}
-
-/** px; a size below 1 px, or none, counts as 1 px. */
-function size(value: number): number {
-  return within(value, 1, FAR, 0)
 }
 
 // stage/release: where and when each chip starts ────────────────────────────────────────────────────────────

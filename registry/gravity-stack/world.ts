@@ -1,3 +1,4 @@
+import type { WorldOptions } from './solver/input'
 import {
   ARM_NB,
   ARM_TB,
@@ -19,9 +20,9 @@ import {
   X,
   Y,
 } from './solver/state'
-import { createWorld as createBareWorld, type WorldOptions } from './solver/world'
+import { createWorld as createBareWorld } from './solver/world'
 
-export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/world'
+export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/input'
 
 export type World = ReturnType<typeof createWorld>
 

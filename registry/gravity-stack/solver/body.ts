@@ -70,6 +70,11 @@ export function isStatic({ state }: Bodies, i: number): boolean {
   return state[i * STATE + INV_MASS] === 0
 }
 
+/** Whether body `i` is an obstacle: it stays where it is put, and what it is put on moves aside. */
+export function isObstacleBody({ density }: Bodies, i: number): boolean {
+  return density[i] === Infinity
+}
+
 /** px, half the width and half the height of the box around the body that `halfExtents` looked at. */
 export const extents: Float64Array = new Float64Array(2)
 

@@ -1,4 +1,4 @@
-import { isStatic } from './body'
+import { isObstacleBody, isStatic } from './body'
 import { GRAZE, SLOW_CONTACT } from './constants'
 import {
   ACROSS,
@@ -116,6 +116,17 @@ export function resetContact({ data, due, points }: Contacts, c: number): void {
   data.fill(0, c * CONTACT, (c + 1) * CONTACT)
   points[c] = 0
   data[c * CONTACT + SEPARATION] = due[c] = -Infinity
+}
+
+/** Makes the contacts of body `i` anew at the next look at them, and its box if it is a chip. */
+export function resetContacts(bodies: Bodies, contacts: Contacts, i: number): void {
+  if (!isObstacleBody(bodies, i)) bodies.box[i * 4] = Infinity
+  for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
+}
+
+/** Has the contacts of body `i` looked at again: it has a new velocity and has not moved. */
+export function checkContacts({ due, head, next }: Contacts, i: number): void {
+  for (let edge = head[i]; edge >= 0; edge = next[edge]) due[edge >> 1] = -Infinity
 }
 
 /** Impulse along the normal of contact `c`, of both its points. */

@@ -2,9 +2,9 @@ import { updatePairs } from './broad-phase'
 import { CORRECTIONS, ROOM_VISITS, SPECULATIVE_DISTANCE } from './constants'
 import { updateContact } from './contact'
 import { LEAD, manifold, WIDEST } from './manifold'
-import { correctPositions, liftWedged } from './position-correction'
+import { correctPositions, keepInside, liftWedged } from './position-correction'
 import { gatherContacts } from './sleep'
-import type { Simulation } from './state'
+import { FIRST_CHIP, type Simulation, STATE } from './state'
 
 /** Corrections in a row: more would push along normals that no longer hold. */
 const PASSES = CORRECTIONS / 4
@@ -35,4 +35,19 @@ export function makeRoom(simulation: Simulation): void {
     if (passes === PASSES) liftWedged(simulation)
     if (passes === 0) simulation.cramped = 0
   }
+}
+
+/** Makes room without a step: no time passes, and nothing else moves. */
+export function makeRoomAtOnce(simulation: Simulation): void {
+  const { state, before, count } = simulation.bodies
+  simulation.revision++
+  const shift = (sign: number) => {
+    for (let i = FIRST_CHIP; i < count; i++)
+      for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
+  }
+  // What is drawn lies between two poses: both move by as much.
+  shift(-1)
+  makeRoom(simulation)
+  keepInside(simulation)
+  shift(1)
 }

@@ -1,5 +1,6 @@
 import { capSpeed, isStatic, setPose, setShape } from './body'
 import { MAX_TOSS, PUSH_SAMPLES } from './constants'
+import { checkContacts } from './contact'
 import { ARM_BX, ARM_BY, COUNT, collide, MANIFOLD_NX, MANIFOLD_NY, manifold, WIDEST } from './manifold'
 import { wake } from './sleep'
 import { FIRST_CHIP, INV_INERTIA, INV_MASS, PUSHER, type Simulation, SPIN, STATE, VX, VY } from './state'
@@ -46,9 +47,7 @@ export function pushBodies(
       capSpeed(state, s, MAX_TOSS)
       simulation.revision++
       wake(simulation, i)
-      // It has a new velocity and has not moved: what it is pushed into is looked at all the same.
-      for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge])
-        contacts.due[edge >> 1] = -Infinity
+      checkContacts(contacts, i)
     }
   }
 }

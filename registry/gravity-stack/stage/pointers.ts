@@ -1,4 +1,4 @@
-import type { Grab } from '../solver/world'
+import type { Grab } from '../solver/input'
 import { type Chip, draw, setState } from './chip'
 import type { Clicks } from './clicks'
 import type { Context } from './context'

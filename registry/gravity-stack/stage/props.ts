@@ -1,5 +1,5 @@
 import { BOUNCE, FRICTION, GRAVITY } from '../solver/constants'
-import type { Vector } from '../solver/world'
+import type { Vector } from '../solver/input'
 
 /** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
 export const LIMITS = {

@@ -1,0 +1,108 @@
+import { capSpeed, extents, halfExtents, isObstacleBody, setPose, setShape } from './body'
+import { overlap } from './broad-phase'
+import { MAX_SPEED, WEDGED_STEPS } from './constants'
+import { removeContact, resetContacts } from './contact'
+import { updateEntry } from './entry'
+import { type BodyOptions, FAR, finite, type Motion, sizeOf, within } from './input'
+import { grow } from './math'
+import { wake, wakeAlone, wakeTouching } from './sleep'
+import { ANGLE, FIRST_CHIP, INV_MASS, type Simulation, SPIN, STATE, VX, VY, X, Y } from './state'
+
+/** Adds a body and returns its id. */
+export function addBody(simulation: Simulation, body: BodyOptions): number {
+  const { bodies, contacts, freeSlots } = simulation
+  const { density } = body
+  const i = freeSlots.pop() ?? bodies.count++
+  if (bodies.alive.length < bodies.count) grow(bodies)
+  // Lists of contacts are by body, contacts by need.
+  while (contacts.head.length < bodies.count) grow(contacts)
+  bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
+  setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
+  bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
+  move(simulation, i, body)
+  bodies.alive[i] = bodies.inside[i] = 1
+  bodies.held[i] = bodies.asleep[i] = 0
+  contacts.head[i] = -1
+  bodies.order[bodies.orderCount++] = i
+  if (isObstacleBody(bodies, i)) bodies.staticCount++
+  else wakeAlone(bodies, i)
+  welcome(simulation, i)
+  return i
+}
+
+/** Takes body `i` out; what leaned on it wakes. */
+export function removeBody(simulation: Simulation, i: number): void {
+  const { bodies, contacts, joints } = simulation
+  simulation.revision++
+  wakeTouching(simulation, i)
+  if (isObstacleBody(bodies, i)) bodies.staticCount--
+  for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === i) joints.splice(n, 1)
+  while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
+  bodies.orderCount = without(bodies.order, i, bodies.orderCount)
+  bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
+  bodies.alive[i] = 0
+  simulation.freeSlots.push(i)
+}
+
+/** Moves body `i` to where and as fast as is given; what leaned on it wakes. */
+export function placeBody(simulation: Simulation, i: number, motion: Motion): void {
+  simulation.revision++
+  wakeTouching(simulation, i)
+  move(simulation, i, motion)
+  welcome(simulation, i)
+}
+
+/** Gives body `i` a new size (px) in place; what it touches wakes. */
+export function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
+  const { bodies } = simulation
+  simulation.revision++
+  wakeTouching(simulation, i)
+  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
+  welcome(simulation, i)
+  simulation.cramped = WEDGED_STEPS
+}
+
+export type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
+
+/** Sets pose and velocity of body `i`; what `motion` leaves out stays as it is. */
+function move({ bodies }: Simulation, i: number, motion: Motion): void {
+  const { state } = bodies
+  const s = i * STATE
+  setPose(
+    bodies,
+    i,
+    within(motion.x, -FAR, FAR, state[s + X]),
+    within(motion.y, -FAR, FAR, state[s + Y]),
+    within(motion.angle, -FAR, FAR, state[s + ANGLE]),
+  )
+  state[s + VX] = finite(motion.vx, state[s + VX])
+  state[s + VY] = finite(motion.vy, state[s + VY])
+  state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
+  capSpeed(state, s, MAX_SPEED)
+}
+
+/** Body `i` has come, or was moved or changed from outside: what is near an obstacle wakes and moves aside. */
+function welcome(simulation: Simulation, i: number): void {
+  const { bodies, contacts } = simulation
+  const { box, boxed, state } = bodies
+  resetContacts(bodies, contacts, i)
+  if (!isObstacleBody(bodies, i)) {
+    updateEntry(simulation, i)
+    return
+  }
+  halfExtents(bodies, i, 0, 0)
+  for (let side = 0; side < 4; side++)
+    box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
+  boxed[i] = 1
+  for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
+  simulation.revision++
+  simulation.cramped = WEDGED_STEPS
+}
+
+/** Takes `i` out of the first `count` of a list; returns how many are left. */
+function without(list: Int32Array, i: number, count: number): number {
+  const at = list.indexOf(i)
+  if (at < 0) return count
+  list.copyWithin(at, at + 1, count)
+  return count - 1
+}
