@@ -19,7 +19,8 @@ export function Slider({
   onChange: (value: number) => void
 }) {
   const id = useId()
-  const said = [value.toLocaleString('en'), unit].filter(Boolean).join('\u00a0')
+  const space = unit && !unit.startsWith('°') ? '\u00a0' : ''
+  const said = `${value.toLocaleString('en')}${space}${unit ?? ''}`
   return (
     <div className="min-w-[min(10rem,100%)] flex-1">
       <div className="flex justify-between gap-4">

@@ -54,6 +54,7 @@ const samples = new Map([
   ['home-shake', heroCode({ neutral: true, heavier: false, bouncier: true }, 'shake')],
   ['playground', codeOf(defaults)],
   ['playground-mixed', codeOf({ ...defaults, shape: 'mixed', words: "it's, \\, `$(x)`", gravity: 900 })],
+  ['playground-obstacle', codeOf({ ...defaults, direction: 150, ceiling: true, push: 44, obstacle: true })],
   ['playground-ink', codeOf({ ...defaults, look: 'ink', interactive: false })],
 ])
 

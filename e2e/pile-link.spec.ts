@@ -19,9 +19,12 @@ async function copyPile(page: Page) {
   return page.evaluate(() => navigator.clipboard.readText())
 }
 
-/** The address of a pile that fell, was tossed, made narrower and given less gravity. */
+/**
+ * The address of a pile that fell on an obstacle, was tossed, made narrower, given less gravity and pulled
+ * aside, whose obstacle was moved and taken away, and that was pushed under a closed top.
+ */
 async function makeLink(page: Page) {
-  await page.goto('/playground?count=8&shape=mixed&stagger=40&seed=5')
+  await page.goto('/playground?count=8&shape=mixed&stagger=40&seed=5&obstacle=true&push=44')
   await expect(stage(page)).toHaveAttribute('data-state', 'resting')
   const box = (await stage(page).locator('[data-chip]').last().boundingBox())!
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
@@ -30,6 +33,22 @@ async function makeLink(page: Page) {
   await page.mouse.up()
   await page.setViewportSize({ width: 700, height: 800 })
   await page.getByRole('slider', { name: 'gravity' }).fill('1200')
+  await page.getByRole('slider', { name: 'Direction' }).fill('45')
+  await page.getByRole('checkbox', { name: 'ceiling' }).check()
+  const obstacle = page.getByRole('button', { name: 'Obstacle' })
+  await obstacle.focus()
+  await page.keyboard.press('ArrowLeft')
+  const held = (await obstacle.boundingBox())!
+  await page.mouse.move(held.x + 30, held.y + 10)
+  await page.mouse.down()
+  await page.mouse.move(held.x + 130, held.y + 90, { steps: 6 })
+  await page.mouse.up()
+  await expect(stage(page)).toHaveAttribute('data-state', 'resting')
+  await page.getByRole('checkbox', { name: 'Obstacle' }).uncheck()
+  await stage(page).scrollIntoViewIfNeeded()
+  const { x, y, width, height } = (await stage(page).boundingBox())!
+  await page.mouse.move(x + width / 2, y + height - 10)
+  await page.mouse.move(x + width - 10, y + height - 10, { steps: 20 })
   await expect(stage(page)).toHaveAttribute('data-state', 'resting')
   return copyPile(page)
 }
@@ -46,7 +65,7 @@ test('the link of a pile plays in Node, in Firefox and on the page itself to the
   const link = await makeLink(page)
   const record = (await fromFragment(new URL(link).hash))!
   expect(new Set(record.acts.map(([, what]) => what))).toEqual(
-    new Set(['configure', 'grab', 'move', 'release', 'resize']),
+    new Set(['clear', 'configure', 'grab', 'move', 'obstacle', 'push', 'release', 'resize']),
   )
   expect(node(link)).toMatchObject({
     status: 0,

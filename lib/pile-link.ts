@@ -8,10 +8,24 @@ export const inSeconds = (value: number) => Math.round(value * 1e4) / 1e4
 export type Act =
   | [at: number, what: 'resize', width: number, height: number]
   | [at: number, what: 'reshape', chip: number, width: number, height: number, radius: number]
-  | [at: number, what: 'configure', gravity: number, bounce: number, friction: number]
+  | [at: number, what: 'configure', ...Configured]
+  | [at: number, what: 'obstacle', x: number, y: number, width: number, height: number, radius: number]
+  | [at: number, what: 'clear']
+  | [at: number, what: 'push', radius: number, ...Way]
   | [at: number, what: 'grab', hand: number, chip: number, x: number, y: number]
   | [at: number, what: 'move', hand: number, x: number, y: number, seconds: number]
   | [at: number, what: 'release', hand: number]
+
+/** Gravity to the right and downwards, 1 for a closed top, bounce and friction. */
+export type Configured = [
+  gravityX: number,
+  gravityY: number,
+  ceiling: number,
+  bounce: number,
+  friction: number,
+]
+/** From where and by how much a disc goes, px, and how long that takes, s. */
+export type Way = [x: number, y: number, goX: number, goY: number, seconds: number]
 
 export type PileRecord = {
   /** of the component that it was recorded with */
@@ -20,7 +34,8 @@ export type PileRecord = {
   options: {
     width: number
     height: number
-    gravity: number
+    gravity: { x: number; y: number }
+    ceiling: boolean
     bounce: number
     friction: number
     stagger: number
@@ -70,16 +85,28 @@ const isNumbers = (values: unknown): values is number[] =>
   Array.isArray(values) && values.every((value) => Number.isFinite(value))
 
 /** Numbers that follow the name of each act. */
-const lengths: Record<Act[1], number> = { resize: 2, reshape: 4, configure: 3, grab: 4, move: 4, release: 1 }
+const lengths: Record<Act[1], number> = {
+  resize: 2,
+  reshape: 4,
+  configure: 5,
+  obstacle: 5,
+  clear: 0,
+  push: 6,
+  grab: 4,
+  move: 4,
+  release: 1,
+}
 
 /**
  * Anyone may have written an address: a record is played only if every number is one, and every chip there is
  * meant.
  */
 function isRecord(it: PileRecord): boolean {
-  const numbers = ['width', 'height', 'gravity', 'bounce', 'friction', 'stagger', 'seed'] as const
+  const numbers = ['width', 'height', 'bounce', 'friction', 'stagger', 'seed'] as const
   if (!it || typeof it.version !== 'string' || typeof it.hash !== 'string') return false
   if (!it.options || !numbers.every((key) => Number.isFinite(it.options[key]))) return false
+  const { gravity, ceiling } = it.options
+  if (!isNumbers([gravity?.x, gravity?.y]) || typeof ceiling !== 'boolean') return false
   if (!Array.isArray(it.shapes) || !it.shapes.every((shape) => isNumbers(shape) && shape.length === 3))
     return false
   if (!Array.isArray(it.acts) || !Number.isInteger(it.steps) || it.steps < 0 || !fits(it)) return false

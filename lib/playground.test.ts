@@ -1,5 +1,15 @@
 import { expect, test } from 'vitest'
-import { chipsOf, codeOf, defaults, elevationNote, fromQuery, looks, shapes, toQuery } from './playground'
+import {
+  chipsOf,
+  codeOf,
+  defaults,
+  elevationNote,
+  fromQuery,
+  gravityOf,
+  looks,
+  shapes,
+  toQuery,
+} from './playground'
 
 test('an untouched playground has a clean address', () => {
   expect(toQuery(defaults)).toBe('')
@@ -14,6 +24,12 @@ test('settings survive the way through the address', () => {
     look: 'ink' as const,
     count: 7,
     gravity: 0,
+    direction: -135,
+    ceiling: true,
+    push: 44,
+    obstacle: true,
+    obstacleX: 30.25,
+    obstacleY: 80,
     bounce: 1,
     seed: 3,
     interactive: false,
@@ -60,6 +76,21 @@ test('the code has every prop that is set, and no other', () => {
   const set = { gravity: 100, bounce: 1, friction: 0, stagger: 0, interactive: false, upright: false }
   expect(codeOf({ ...defaults, ...set })).toContain(`<GravityStack ${props} className="h-96">`)
   expect(codeOf(defaults)).toContain('<GravityStack className="h-96">')
+})
+
+test('the code names gravity by its two parts where it points aside, a ceiling, a push and the obstacle', () => {
+  expect(codeOf({ ...defaults, direction: 90, push: 44, ceiling: true })).toContain(
+    '<GravityStack gravity={{ x: 2600, y: 0 }} ceiling push={44} className="h-96">\n      {Array',
+  )
+  expect(codeOf({ ...defaults, obstacle: true, obstacleX: 30.25 })).toContain(
+    '<GravityStack className="h-96">\n      <div data-static className="absolute top-[60%] left-[30.25%] h-5 ',
+  )
+  expect(codeOf({ ...defaults, direction: 90, gravity: 0 })).toContain('<GravityStack gravity={0} class')
+})
+
+test('gravity that points up closes the top, in the code too', () => {
+  expect(gravityOf({ gravity: 2600, direction: 180 })).toEqual({ x: 0, y: -2600 })
+  expect(codeOf({ ...defaults, direction: 180 })).toContain('gravity={{ x: 0, y: -2600 }} ceiling class')
 })
 
 test('the code has every class of the chips on the stage', () => {

@@ -7,7 +7,8 @@ import { frame } from '@/scenes/scene'
 type PileOptions = {
   width: number
   height: number
-  gravity: number
+  gravity: number | { x: number; y: number }
+  ceiling?: boolean
   bounce: number
   friction: number
   /** ms between releases. */
@@ -16,8 +17,14 @@ type PileOptions = {
   seed: number
 }
 
-/** `turn` is by how many rad what is drawn of a chip is turned on its body, `seen` whether that stays. */
-type Drop = Release & { turn: number; seen: boolean }
+/** px: centre, size and corner radius of what chips land on. */
+export type Obstacle = { x: number; y: number; width: number; height: number; radius: number }
+
+/**
+ * `place` is the chip's among the shapes, `turn` is by how many rad what is drawn of a chip is turned on its body, `seen` whether
+ * that stays.
+ */
+type Drop = Release & { place: number; turn: number; seen: boolean }
 
 export type Pile = ReturnType<typeof createPile>
 
@@ -32,6 +39,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
       const order = chip + 1000 * options.seed
       return {
         ...shape,
+        place: chip,
         radius: cornerRadius(shape),
         reach: reach(shape.width, shape.height),
         order,
@@ -45,6 +53,29 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
     revision: 0,
   }
   const lookAhead = createLookAhead<Drop>(() => {})
+  let obstacle: { id: number; body: Obstacle } | undefined
+  /** Whether chips that had left by the top have come back since something was done to the pile. */
+  let recovered = false
+
+  function release(chip: Drop) {
+    chip.id = addReleased({ world, chips }, chip, world.scene.width, world.scene.gravity[1])
+    ids[chip.place] = chip.id
+  }
+
+  /** Releases chips anew that lie above a stage whose gravity does not bring them back, as the component does. */
+  function recover() {
+    const [x, y] = world.scene.gravity
+    if (y > Math.abs(x) || recovered) return
+    recovered = true
+    for (const id of [...ids]) {
+      const chip = chips[id]
+      if (world.read(id).y >= -chip.reach) continue
+      world.remove(id)
+      delete chips[id]
+      chip.seen = false
+      release(chip)
+    }
+  }
 
   return {
     world,
@@ -58,12 +89,29 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
     /** One frame of 1/60 s. */
     step() {
       coming.clock += frame
-      while (coming.chips[0]?.due <= coming.clock) {
-        const next = coming.chips.shift()!
-        next.id = addReleased({ world, chips }, next, world.scene.width, world.scene.gravity[1])
-        ids.push(next.id)
-      }
+      while (coming.chips[0]?.due <= coming.clock) release(coming.chips.shift()!)
       world.step(frame)
+      if (!coming.chips.length && world.resting) recover()
+    },
+    /** Something is done to the pile, after which chips may be released anew once more. */
+    touch() {
+      recovered = false
+    },
+    /** What chips land on, beside floor and walls. */
+    get obstacle() {
+      return obstacle?.body
+    },
+    setObstacle(body: Obstacle | undefined) {
+      if (!body) {
+        if (obstacle) world.remove(obstacle.id)
+        obstacle = undefined
+        return
+      }
+      if (obstacle) {
+        world.place(obstacle.id, { x: body.x, y: body.y })
+        world.reshape(obstacle.id, body)
+      }
+      obstacle = { id: obstacle?.id ?? world.add({ ...body, density: Number.POSITIVE_INFINITY }), body }
     },
     /**
      * Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether

@@ -1,16 +1,26 @@
-import { type Act, fits, inPixels, inSeconds, type PileRecord } from '@/lib/pile-link'
+import { type Act, fits, inPixels, inSeconds, type PileRecord, type Way } from '@/lib/pile-link'
 import { cornerRadius, type Shape } from '@/scenes/exact-distance'
-import { createPile, type Pile } from './pile'
+import { createPile, type Obstacle, type Pile } from './pile'
 
 type Options = PileRecord['options']
+type Configurable = 'gravity' | 'ceiling' | 'bounce' | 'friction'
 type Doing = Act extends [number, ...infer Rest] ? Rest : never
 
 /** Does what a record tells to a pile, one act after the other. */
-function performer({ world, ids, shapes }: Pile) {
+function performer(pile: Pile) {
+  const { world, ids, shapes } = pile
   const grabs = new Map<number, ReturnType<typeof world.grab>>()
   return ([, ...act]: Act) => {
+    const { revision } = world.scene
     if (act[0] === 'resize') world.resize(act[1], act[2])
-    else if (act[0] === 'configure') world.configure({ gravity: act[1], bounce: act[2], friction: act[3] })
+    else if (act[0] === 'configure') {
+      const [, x, y, ceiling, bounce, friction] = act
+      world.configure({ gravity: { x, y }, ceiling: ceiling > 0, bounce, friction })
+    } else if (act[0] === 'obstacle') {
+      const [, x, y, width, height, radius] = act
+      pile.setObstacle({ x, y, width, height, radius })
+    } else if (act[0] === 'clear') pile.setObstacle(undefined)
+    else if (act[0] === 'push') world.push(act[1], act[2], act[3], act[4], act[5], act[6])
     else if (act[0] === 'reshape') {
       const [, chip, width, height, radius] = act
       const shape = { width, height, radius }
@@ -21,6 +31,8 @@ function performer({ world, ids, shapes }: Pile) {
       if (ids[chip] !== undefined) grabs.set(hand, world.grab(ids[chip], x, y))
     } else if (act[0] === 'move') grabs.get(act[1])?.moveTo(act[2], act[3], act[4])
     else grabs.get(act[1])?.release()
+    // A push may meet nothing, and is not noted then.
+    if (act[0] !== 'push' || world.scene.revision !== revision) pile.touch()
   }
 }
 
@@ -54,6 +66,7 @@ export function createRecorder(version: string, options: Options, sizes: Shape[]
   /** s, the time of the first move: clocks count from whenever they like. */
   let begun: number | undefined
   let size = [options.width, options.height].join()
+  let obstacle = ''
 
   function act(...doing: Doing) {
     const next = [steps, ...doing] as Act
@@ -75,8 +88,26 @@ export function createRecorder(version: string, options: Options, sizes: Shape[]
     },
     reshape: (chip: number, { width, height, radius = 0 }: Shape) =>
       act('reshape', chip, width, height, radius),
-    configure: (gravity: number, bounce: number, friction: number) =>
-      act('configure', gravity, bounce, friction),
+    configure: ({ gravity, ceiling, bounce, friction }: Pick<Options, Configurable>) =>
+      act('configure', gravity.x, gravity.y, Number(ceiling), bounce, friction),
+    /** Puts the obstacle somewhere, or takes it away. */
+    setObstacle(body: Obstacle | undefined) {
+      const next = body ? [body.x, body.y, body.width, body.height, body.radius].map(inPixels) : []
+      if (next.join() === obstacle) return
+      obstacle = next.join()
+      if (body) act('obstacle', ...(next as [number, number, number, number, number]))
+      else act('clear')
+    },
+    /** A disc of `radius` px goes a way. A push that meets no chip is not noted: it changes nothing. */
+    push(radius: number, [x, y, goX, goY, seconds]: Way) {
+      const { revision } = pile.world.scene
+      const way = [...[x, y, goX, goY].map(inPixels), inSeconds(seconds)] as Way
+      const next: Act = [steps, 'push', radius, ...way]
+      perform(next)
+      const met = pile.world.scene.revision !== revision
+      if (met) acts.push(next)
+      return met
+    },
     /** A hand takes a chip at a point of the stage. */
     grab(chip: number, x: number, y: number) {
       const hand = hands++

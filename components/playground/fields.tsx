@@ -1,5 +1,5 @@
 import { type ReactNode, useId } from 'react'
-import { looks, ranges, type Settings, shapes } from '@/lib/playground'
+import { gravityOf, isClosed, looks, ranges, type Settings, shapes } from '@/lib/playground'
 import { Slider } from '../slider'
 
 /** A field for each of the settings. */
@@ -10,8 +10,9 @@ export function Fields({
   settings: Settings
   change: (next: Partial<Settings>) => void
 }) {
-  const { words, count, shape, look, gravity, bounce, friction, stagger, interactive, upright, seed } =
-    settings
+  const { words, count, shape, look, gravity, direction, push, bounce, friction, stagger } = settings
+  const { interactive, upright, seed, obstacle, obstacleX, obstacleY } = settings
+  const rises = gravityOf(settings).y < 0
   return (
     <>
       <Field label="Words, with commas between">
@@ -30,10 +31,35 @@ export function Fields({
       <Choice label="Look" value={look} options={looks} onChange={(value) => change({ look: value })} />
       <Range of="count" label="Chips" value={count} onChange={change} />
       <Range of="gravity" label="gravity" unit="px/s²" value={gravity} onChange={change} />
+      <Range
+        of="direction"
+        label="Direction it pulls in"
+        unit={pointsTo[direction] ?? '°'}
+        value={direction}
+        onChange={change}
+      />
+      <Switch of="ceiling" value={isClosed(settings)} disabled={rises} onChange={change} />
+      {rises && <p className="-mt-3 text-muted-foreground">Closed, as gravity points up.</p>}
+      <Range of="push" label="push" unit="px" value={push} onChange={change} />
+      {push > 0 && (
+        <p className="-mt-3 text-muted-foreground">
+          {interactive ? 'A mouse that moves over the stage shoves chips aside.' : 'Needs interactive.'}
+        </p>
+      )}
       <Range of="bounce" label="bounce" value={bounce} onChange={change} />
       <Range of="friction" label="friction" value={friction} onChange={change} />
       <Range of="stagger" label="stagger" unit="ms" value={stagger} onChange={change} />
       <Range of="seed" label="Seed (not in the code)" value={seed} onChange={change} />
+      <Switch of="obstacle" label="Obstacle" value={obstacle} onChange={change} />
+      {obstacle && (
+        <>
+          <p className="-mt-3 text-muted-foreground">
+            Drag it, or move it with the arrow keys once it has the focus.
+          </p>
+          <Range of="obstacleX" label="Obstacle from the left" unit="%" value={obstacleX} onChange={change} />
+          <Range of="obstacleY" label="Obstacle from the top" unit="%" value={obstacleY} onChange={change} />
+        </>
+      )}
       <Switch of="upright" value={upright} onChange={change} />
       <Switch of="interactive" value={interactive} onChange={change} />
       <p className="-mt-3 text-muted-foreground">
@@ -41,6 +67,14 @@ export function Fields({
       </p>
     </>
   )
+}
+
+/** What is said of a direction, degrees from straight down. */
+const pointsTo: Record<number, string> = {
+  0: '° down',
+  90: '° right',
+  [-90]: '° left',
+  180: '° up',
 }
 
 function Field({ label, children }: { label: string; children: (id: string) => ReactNode }) {
@@ -83,11 +117,15 @@ function Range({
 
 function Switch({
   of,
+  label,
   value,
+  disabled,
   onChange,
 }: {
-  of: 'interactive' | 'upright'
+  of: 'ceiling' | 'interactive' | 'obstacle' | 'upright'
+  label?: string
   value: boolean
+  disabled?: boolean
   onChange: (next: Partial<Settings>) => void
 }) {
   return (
@@ -95,10 +133,11 @@ function Switch({
       <input
         type="checkbox"
         checked={value}
+        disabled={disabled}
         onChange={(event) => onChange({ [of]: event.target.checked })}
         className="size-4 accent-foreground"
       />
-      <span className="font-mono text-[0.8125rem]">{of}</span>
+      <span className={label ? undefined : 'font-mono text-[0.8125rem]'}>{label ?? of}</span>
     </label>
   )
 }

@@ -3,11 +3,12 @@
 import { useEffect, useMemo, useState } from 'react'
 import { classes } from '@/lib/classes'
 import { toFragment } from '@/lib/pile-link'
-import { chipsOf, codeOf, defaults, toQuery } from '@/lib/playground'
+import { chipsOf, codeOf, defaults, obstacleClass, toQuery } from '@/lib/playground'
 import { stillMotion } from '@/lib/still-motion'
 import { CopyButton } from '../copy-button'
 import { LiveCode } from '../live-code'
 import { Fields } from './fields'
+import { Obstacle } from './obstacle'
 import { weightLength } from './overlay'
 import { useLinkedPile } from './use-linked-pile'
 import { idle, type Outcome, usePile, type Work } from './use-pile'
@@ -39,7 +40,7 @@ export function Playground({ version }: { version: string }) {
     () => (ready ? chipsOf({ words, count, shape, look }) : []),
     [ready, words, count, shape, look],
   )
-  const { stage, canvas, hands, work, outcome, record, advance } = usePile({
+  const { stage, canvas, hands, hover, work, outcome, record, advance } = usePile({
     chips,
     settings: now,
     drop,
@@ -137,6 +138,8 @@ export function Playground({ version }: { version: string }) {
                   : 'paused'
           }
           data-outcome={outcome}
+          onPointerMove={(event) => hover.current?.move(event, playing && interactive ? now.push : 0)}
+          onPointerLeave={() => hover.current?.leave()}
           className="relative isolate h-96 overflow-clip bg-stage contain-strict"
         >
           {chips.map(({ word, className }, chip) => (
@@ -157,6 +160,11 @@ export function Playground({ version }: { version: string }) {
               <span className={className}>{word}</span>
             </div>
           ))}
+          {replay
+            ? replay.acts.some(([, what]) => what === 'obstacle') && (
+                <div data-static className={classes('absolute', obstacleClass)} />
+              )
+            : ready && now.obstacle && <Obstacle settings={now} change={change} />}
           {ready && !playing && work.released === 0 && (
             <p className={hint}>
               {stillMotion() ? 'Motion is off, as your system asks.' : 'Paused.'} Play drops the chips.

@@ -1,8 +1,10 @@
 import { useEffect, useLayoutEffect, useRef, useState } from 'react'
 import type { PileRecord } from '@/lib/pile-link'
-import type { chipsOf, Settings } from '@/lib/playground'
+import { type chipsOf, gravityOf, isClosed, type Settings } from '@/lib/playground'
+import { cornerRadius } from '@/scenes/exact-distance'
 import { createRecorder, createReplay, type Player, type Recorder } from '../lab/recorder'
 import { createHands, type Hands } from './hands'
+import { createHover, type Hover } from './hover'
 import { drawOverlay } from './overlay'
 
 /** What the solver did in the last step, and how long it took. */
@@ -38,15 +40,31 @@ type Show = {
 
 const chipsIn = (stage: HTMLElement) => [...stage.querySelectorAll<HTMLElement>('[data-chip]')]
 
-const measure = (chip: HTMLElement) => ({
-  width: chip.offsetWidth,
-  height: chip.offsetHeight,
-  radius: Number.parseFloat(getComputedStyle(chip.firstElementChild!).borderTopLeftRadius),
+/** Size and corner radius, px, of a chip or an obstacle; a chip's corners are those of what it wraps. */
+const measure = (element: HTMLElement) => ({
+  width: element.offsetWidth,
+  height: element.offsetHeight,
+  radius: Number.parseFloat(getComputedStyle(element.firstElementChild ?? element).borderTopLeftRadius),
 })
+
+/** The obstacle as the solver takes it, px of the stage; undefined where the stage has none. */
+function measureObstacle(stage: HTMLElement, { obstacleX, obstacleY }: Settings) {
+  const element = stage.querySelector<HTMLElement>('[data-static]')
+  if (!element) return
+  const shape = measure(element)
+  return {
+    ...shape,
+    radius: cornerRadius(shape),
+    x: (stage.clientWidth * obstacleX) / 100,
+    y: (stage.clientHeight * obstacleY) / 100,
+  }
+}
 
 /** A pile of the `data-chip` elements in `stage`, played frame by frame, and the pointers on it. */
 export function usePile({ chips, settings, drop, replay, version, playing, speed, overlay }: Show) {
-  const { gravity, bounce, friction, stagger, upright, seed } = settings
+  const { bounce, friction, stagger, upright, seed, obstacle, obstacleX, obstacleY } = settings
+  const gravity = gravityOf(settings)
+  const ceiling = isClosed(settings)
   const [work, setWork] = useState(idle)
   const [outcome, setOutcome] = useState<Outcome>()
   const stage = useRef<HTMLDivElement>(null)
@@ -54,6 +72,10 @@ export function usePile({ chips, settings, drop, replay, version, playing, speed
   const player = useRef<Player>(null)
   const recorder = useRef<Recorder>(null)
   const hands = useRef<Hands>(null)
+  const hover = useRef<Hover>(null)
+  /** The settings of now, for what is called later. */
+  const latest = useRef(settings)
+  latest.current = settings
   const mean = useRef(0)
   /** Frames that a drop's beginning still waits for the look-ahead. */
   const waits = useRef(0)
@@ -68,6 +90,15 @@ export function usePile({ chips, settings, drop, replay, version, playing, speed
       style.width = `${width}px`
       style.height = `${height}px`
       style.zoom = `${Math.min(1, parentElement!.clientWidth / width)}`
+      const element = stage.current!.querySelector<HTMLElement>('[data-static]')
+      if (element) {
+        const body = player.current!.pile.obstacle
+        element.style.visibility = body ? '' : 'hidden'
+        for (const [name, value] of Object.entries(
+          body ? { left: body.x, top: body.y, width: body.width, height: body.height } : {},
+        ))
+          element.style.setProperty(name, `${value}px`)
+      }
     }
     const elements = chipsIn(stage.current!)
     ids.forEach((id, chip) => {
@@ -117,19 +148,23 @@ export function usePile({ chips, settings, drop, replay, version, playing, speed
       player.current = createReplay(replay)
       recorder.current = null
       hands.current = null
+      hover.current = null
       kick.current()
       return
     }
     const { clientWidth: width, clientHeight: height } = element
-    const options = { width, height, gravity, bounce, friction, stagger, seed }
+    const options = { width, height, gravity, ceiling, bounce, friction, stagger, seed }
     const next = createRecorder(version, options, sizes)
+    next.setObstacle(measureObstacle(element, settings))
     const pointers = createHands(element, next, () => kick.current())
     player.current = next
     recorder.current = next
     hands.current = pointers
+    hover.current = createHover(element, next, () => kick.current())
     kick.current()
     const resize = new ResizeObserver(() => {
       next.resize(element.clientWidth, element.clientHeight)
+      next.setObstacle(measureObstacle(element, latest.current))
       elements.forEach((chip, place) => {
         const size = measure(chip)
         const { width, height } = sizes[place]
@@ -148,9 +183,15 @@ export function usePile({ chips, settings, drop, replay, version, playing, speed
   }, [chips, stagger, upright, seed, drop, replay])
 
   useEffect(() => {
-    recorder.current?.configure(gravity, bounce, friction)
+    recorder.current?.configure({ gravity: { x: gravity.x, y: gravity.y }, ceiling, bounce, friction })
     kick.current()
-  }, [gravity, bounce, friction])
+  }, [gravity.x, gravity.y, ceiling, bounce, friction])
+
+  // biome-ignore lint/correctness/useExhaustiveDependencies: measures again when one of these has changed
+  useLayoutEffect(() => {
+    recorder.current?.setObstacle(measureObstacle(stage.current!, settings))
+    kick.current()
+  }, [obstacle, obstacleX, obstacleY])
 
   // biome-ignore lint/correctness/useExhaustiveDependencies: runs what it finds in the refs
   useEffect(() => {
@@ -195,6 +236,7 @@ export function usePile({ chips, settings, drop, replay, version, playing, speed
     stage,
     canvas,
     hands,
+    hover,
     work,
     outcome,
     /** What was done to the pile up to now; nothing where that is too much for an address. */

@@ -8,8 +8,8 @@ import { pointerMap } from './pointer-map'
  * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
  * at once (D-052).
  */
-const BRIEFEST = 1 / 240
-const LONGEST = 1 / 30
+export const BRIEFEST = 1 / 240
+export const LONGEST = 1 / 30
 
 /** Pushes chips aside with the mouse or pen that moves over a stage while nothing is pressed. */
 export function followHover(
