@@ -1,6 +1,8 @@
 import { expect, type Page } from '@playwright/test'
 import { playgroundStage, test } from './page'
 
+test.use({ permissions: ['clipboard-read', 'clipboard-write'] })
+
 const stageOf = (page: Page) => page.locator(playgroundStage)
 const obstacleOf = (page: Page) => page.getByRole('button', { name: 'Obstacle' })
 
@@ -147,6 +149,46 @@ test('an obstacle comes into the stage, carries chips, and is dragged and moved 
   await expect(page.getByText('data-static')).toHaveCount(0)
   await expectRest(page)
   expect((await middles(page)).length).toBe(lying.length)
+})
+
+test('in a paused stage too an obstacle that is dragged into the pile leaves no chip inside it', async ({
+  page,
+}) => {
+  await page.goto('/playground?count=1&stagger=0&shape=boxes&obstacle=true&obstacleX=10&obstacleY=30')
+  await expectRest(page)
+  await page.getByRole('button', { name: 'Pause' }).click()
+  const chip = stageOf(page).locator('[data-chip]')
+  const lying = (await chip.boundingBox())!
+  const held = (await obstacleOf(page).boundingBox())!
+  await page.mouse.move(held.x + held.width / 2, held.y + held.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(lying.x + lying.width / 2, lying.y + lying.height / 2, { steps: 5 })
+  await page.mouse.up()
+  await expect.poll(() => chip.boundingBox()).not.toEqual(lying)
+  const [a, b] = [(await chip.boundingBox())!, (await obstacleOf(page).boundingBox())!]
+  const apart = Math.max(b.x - a.x - a.width, a.x - b.x - b.width, b.y - a.y - a.height, a.y - b.y - b.height)
+  expect(apart).toBeGreaterThan(-1)
+})
+
+test('the link of a pile on an obstacle shows the obstacle where it was, and the same pile on it', async ({
+  page,
+}) => {
+  await page.goto('/playground?count=6&stagger=20&obstacle=true')
+  await expectRest(page)
+  await obstacleOf(page).focus()
+  await page.keyboard.press('ArrowLeft')
+  await expectRest(page)
+  await page.getByRole('button', { name: 'Copy this pile' }).click()
+  await expect(page.getByRole('button', { name: 'Copied' })).toBeVisible()
+  const [obstacle, chips] = [await obstacleOf(page).boundingBox(), await middles(page)]
+  const link = new URL(await page.evaluate(() => navigator.clipboard.readText()))
+  link.search = '?count=6'
+  await page.goto(link.href)
+  await expect(stageOf(page)).toHaveAttribute('data-outcome', 'same')
+  const shown = (await stageOf(page).locator('[data-static]').boundingBox())!
+  expect(Math.abs(shown.x - obstacle!.x)).toBeLessThan(0.1)
+  expect(Math.abs(shown.y - obstacle!.y)).toBeLessThan(0.1)
+  for (const [i, { y }] of (await middles(page)).entries()) expect(Math.abs(y - chips[i].y)).toBeLessThan(0.1)
 })
 
 test('in a narrower window the obstacle keeps its place in the stage, with chips on it', async ({ page }) => {

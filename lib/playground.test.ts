@@ -83,7 +83,7 @@ test('the code names gravity by its two parts where it points aside, a ceiling, 
     '<GravityStack gravity={{ x: 2600, y: 0 }} ceiling push={44} className="h-96">\n      {Array',
   )
   expect(codeOf({ ...defaults, obstacle: true, obstacleX: 30.25 })).toContain(
-    '<GravityStack className="h-96">\n      <div data-static className="absolute top-[60%] left-[30.25%] h-5 ',
+    '<GravityStack className="h-96">\n      <div data-static className="absolute top-[60%] left-[30.25%] h-6 ',
   )
   expect(codeOf({ ...defaults, direction: 90, gravity: 0 })).toContain('<GravityStack gravity={0} class')
 })

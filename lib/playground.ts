@@ -138,7 +138,7 @@ export function chipsOf(settings: Pick<Settings, 'words' | 'count' | 'shape' | '
 }
 
 /** How an obstacle looks, but for its place. */
-export const obstacleClass = 'h-5 w-36 -translate-x-1/2 -translate-y-1/2 rounded-full bg-neutral-500'
+export const obstacleClass = 'h-6 w-36 -translate-x-1/2 -translate-y-1/2 rounded-full bg-neutral-500'
 
 const quoted = (text: string) => `'${text.replace(/[\\']/g, '\\$&')}'`
 

@@ -112,6 +112,8 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
         world.reshape(obstacle.id, body)
       }
       obstacle = { id: obstacle?.id ?? world.add({ ...body, density: Number.POSITIVE_INFINITY }), body }
+      // Also in a paused pile nothing may stay inside it.
+      world.makeRoom()
     },
     /**
      * Lets the look-ahead go on for a slice, and turns what is still above the stage by it; returns whether
