@@ -13,7 +13,7 @@ test('the props table says what range and default a number has, in the page and 
   const row = (name: string) =>
     page.getByRole('group', { name: 'Props' }).getByRole('row', { name: RegExp(`^${name}`) })
   for (const [name, range, value] of [
-    ['gravity', 'number, 0 to 20,000', '2600'],
+    ['gravity', 'number | { x: number; y: number }, 0 to 20,000', '2600'],
     ['bounce', 'number, 0 to 1', '0.18'],
     ['friction', 'number, 0 to 10', '0.4'],
     ['stagger', 'number, 0 to 60,000', '150'],
@@ -23,7 +23,7 @@ test('the props table says what range and default a number has, in the page and 
     await expect(row(name).getByRole('cell').first()).toHaveText(value)
   }
   const markdown = await (await request.get('/docs/gravity-stack.md')).text()
-  expect(markdown).toContain('| `gravity` | `number`, 0 to 20,000 |')
+  expect(markdown).toContain('| `gravity` | `number \\| { x: number; y: number }`, 0 to 20,000 |')
 })
 
 test('beside a page stand its headings, in their words', async ({ page }) => {

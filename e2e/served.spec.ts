@@ -95,6 +95,7 @@ const elsewhere = [
   'https://developer.mozilla.org/docs/Web/CSS/Guides/Media_queries/Printing',
   'https://developer.mozilla.org/docs/Web/CSS/Reference/At-rules/@media/prefers-reduced-motion',
   'https://developer.mozilla.org/docs/Web/CSS/Reference/Properties/scroll-margin',
+  'https://www.w3.org/WAI/WCAG22/Understanding/motion-actuation',
 ]
 
 /** Where a page or an item can be taken to; what they are handed is tested below. */

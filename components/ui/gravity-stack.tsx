@@ -2949,18 +2949,19 @@ function createWorld(options: WorldOptions) {
 
     /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
-      const share = within(scene.left / STEP, 0, 1, 0)
       const { state, before, undrawn } = bodies
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
         undrawn[i] = asleep ? 0 : 1
-        const coordinate = (axis: number) => {
-          const now = state[i * STATE + axis]
-          const then = before[i * 3 + axis]
-          return asleep ? now : then + share * (now - then)
-        }
-        visit(i, coordinate(X), coordinate(Y), coordinate(ANGLE), asleep)
+        // Share of the step that is not simulated yet: what moves is drawn so much behind.
+        const behind = asleep ? 0 : 1 - within(scene.left / STEP, 0, 1, 0)
+        const s = i * STATE
+        const b = i * 3
+        const x = state[s + X] - behind * (state[s + X] - before[b])
+        const y = state[s + Y] - behind * (state[s + Y] - before[b + 1])
+        const angle = state[s + ANGLE] - behind * (state[s + ANGLE] - before[b + 2])
+        visit(i, x, y, angle, asleep)
       }
     },
 
