@@ -591,7 +591,7 @@ interface Grab {
   release(): void
 }
 
-/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose precision. */
 const FAR = 1e6
 
 /** `value`, or `otherwise` if it is no finite number. */
@@ -2571,7 +2571,7 @@ function move({ bodies }: Simulation, i: number, motion: Motion): void {
   capSpeed(state, s, MAX_SPEED)
 }
 
-/** Body `i` has come, or was moved or changed from outside: what is near an obstacle wakes and moves aside. */
+/** Body `i` has come, moved or changed its shape: what is near an obstacle wakes and moves aside. */
 function welcome(simulation: Simulation, i: number): void {
   const { bodies, contacts } = simulation
   const { box, boxed, state } = bodies
@@ -2795,8 +2795,8 @@ function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
 // solver/copy: a world made equal to another ────────────────────────────────────────────────────────────────
 
 /**
- * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares
- * them.
+ * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed
+ * shares them.
  */
 function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>

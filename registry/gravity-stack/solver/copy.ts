@@ -1,6 +1,6 @@
 /**
- * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed shares
- * them.
+ * Makes every number and array inside `to` what it is inside `from`. Joints stay apart: whoever grabbed
+ * shares them.
  */
 export function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>

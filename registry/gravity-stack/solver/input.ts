@@ -66,7 +66,7 @@ export interface Grab {
   release(): void
 }
 
-/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose their precision. */
+/** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose precision. */
 export const FAR = 1e6
 
 /** `value`, or `otherwise` if it is no finite number. */

@@ -81,7 +81,7 @@ function move({ bodies }: Simulation, i: number, motion: Motion): void {
   capSpeed(state, s, MAX_SPEED)
 }
 
-/** Body `i` has come, or was moved or changed from outside: what is near an obstacle wakes and moves aside. */
+/** Body `i` has come, moved or changed its shape: what is near an obstacle wakes and moves aside. */
 function welcome(simulation: Simulation, i: number): void {
   const { bodies, contacts } = simulation
   const { box, boxed, state } = bodies
