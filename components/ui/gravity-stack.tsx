@@ -2509,7 +2509,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
   setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
-  move(simulation, i, body)
+  setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
   bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
@@ -2538,7 +2538,7 @@ function removeBody(simulation: Simulation, i: number): void {
 function placeBody(simulation: Simulation, i: number, motion: Motion): void {
   simulation.revision++
   wakeTouching(simulation, i)
-  move(simulation, i, motion)
+  setMotion(simulation, i, motion)
   welcome(simulation, i)
 }
 
@@ -2555,7 +2555,7 @@ function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
 type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
 
 /** Sets pose and velocity of body `i`; what `motion` leaves out stays as it is. */
-function move({ bodies }: Simulation, i: number, motion: Motion): void {
+function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
   const { state } = bodies
   const s = i * STATE
   setPose(

@@ -19,7 +19,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
   setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
-  move(simulation, i, body)
+  setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
   bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
@@ -48,7 +48,7 @@ export function removeBody(simulation: Simulation, i: number): void {
 export function placeBody(simulation: Simulation, i: number, motion: Motion): void {
   simulation.revision++
   wakeTouching(simulation, i)
-  move(simulation, i, motion)
+  setMotion(simulation, i, motion)
   welcome(simulation, i)
 }
 
@@ -65,7 +65,7 @@ export function reshapeBody(simulation: Simulation, i: number, shape: Shape): vo
 export type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
 
 /** Sets pose and velocity of body `i`; what `motion` leaves out stays as it is. */
-function move({ bodies }: Simulation, i: number, motion: Motion): void {
+function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
   const { state } = bodies
   const s = i * STATE
   setPose(
