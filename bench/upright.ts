@@ -15,7 +15,7 @@ const wanted = (part: string) => values.part.split(',').includes(part)
 const widths = [375, 768, 1216]
 const browser = await launch()
 
-/** Words drawn more than 91° over, the number of words, and the most that a disc is off. Runs in the page. */
+/** Words turned by more than 91°, all words, and the largest angle of a disc. Runs in the page. */
 function read() {
   const result = { words: 0, over: 0, askew: 0 }
   for (const chip of document.querySelectorAll<HTMLElement>('[data-slot=gravity-stack-chip]')) {

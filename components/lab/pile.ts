@@ -21,8 +21,8 @@ type PileOptions = {
 export type Obstacle = { x: number; y: number; width: number; height: number; radius: number }
 
 /**
- * `place` is the chip's among the shapes, `turn` is by how many rad what is drawn of a chip is turned on its body, `seen` whether
- * that stays.
+ * A chip on its way into the pile. `place` is its index among the shapes, `turn` (rad) is how far its words are
+ * turned on its body, and `seen` says that it is in view, so that `turn` may no longer change.
  */
 type Drop = Release & { place: number; turn: number; seen: boolean }
 
@@ -62,7 +62,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
     ids[chip.place] = chip.id
   }
 
-  /** Releases chips anew that lie above a stage whose gravity does not bring them back, as the component does. */
+  /** Releases chips anew that lie above a stage whose gravity does not bring them back. */
   function recover() {
     const [x, y] = world.scene.gravity
     if (y > Math.abs(x) || recovered) return
