@@ -1,6 +1,6 @@
 'use client'
 
-import { type ReactNode, useEffect, useRef } from 'react'
+import { type ReactNode, useLayoutEffect, useRef } from 'react'
 
 /** Whether a key pressed there writes something. */
 const isField = (target: EventTarget) =>
@@ -22,7 +22,8 @@ export function SearchOpener({
 }) {
   const box = useRef<HTMLDivElement>(null)
 
-  useEffect(() => {
+  // In the task that brings the page alive: a passive effect comes later, and a key pressed before it is lost.
+  useLayoutEffect(() => {
     const dialog = box.current!.querySelector('dialog')!
     const toggle = () => {
       if (dialog.open) return dialog.close()

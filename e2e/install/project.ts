@@ -26,6 +26,9 @@ function withoutOurTools(path: string) {
     .join(delimiter)
 }
 
+/** ms that a command may take, many times what the longest does: a hang is to fail with the command's name. */
+const limit = 200_000
+
 export type Outcome = { code: number; output: string }
 
 /** A project of somebody else's, in a folder of its own far from ours, with tools of ours only by name. */
@@ -66,25 +69,33 @@ export class Project {
     await writeFile(this.path(path), after)
   }
 
-  /** Runs a command in the project and gives its code and all that it said; never throws. */
+  /** Runs a command in the project and gives its code and all that it said; throws only when it hangs. */
   try(command: string, args: string[] = [], env: Record<string, string> = {}): Promise<Outcome> {
-    return new Promise((resolve) => {
+    return new Promise((resolve, reject) => {
       const options = {
         cwd: this.folder,
         maxBuffer: 2 ** 26,
+        timeout: limit,
         env: {
           ...someonesShell,
           PWD: this.folder,
           npm_config_prefer_offline: 'true',
           npm_config_audit: 'false',
           npm_config_fund: 'false',
+          // ms without a byte before npm asks again, at most three times. Of its own accord it waits 5 minutes.
+          npm_config_fetch_timeout: '20000',
+          npm_config_fetch_retries: '3',
+          npm_config_fetch_retry_mintimeout: '1000',
           ...this.env,
           ...env,
         } as Record<string, string> as NodeJS.ProcessEnv,
       }
       const child = execFile(command, args, options, (error, stdout, stderr) => {
         const code = typeof error?.code === 'number' ? error.code : error ? 1 : 0
-        resolve({ code, output: `${stdout}${stderr}${error && !child.pid ? error.message : ''}` })
+        const output = `${stdout}${stderr}${error && !child.pid ? error.message : ''}`
+        if (error?.killed)
+          reject(Error(`${command} ${args.join(' ')} did not end within ${limit / 1000} s\n${output}`))
+        else resolve({ code, output })
       })
       child.stdin?.end()
     })
