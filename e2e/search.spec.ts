@@ -26,6 +26,22 @@ test('the search brings no byte before it is opened, and its index once', async 
   expect(asked.filter((path) => path === '/search.json')).toHaveLength(1)
 })
 
+test('a slash opens the search as soon as the page is alive, however late its other effects come', async ({
+  page,
+}) => {
+  // What React puts off until after its commit comes as a message: none comes any more.
+  await page.addInitScript(() => {
+    const { postMessage } = MessagePort.prototype
+    MessagePort.prototype.postMessage = function (...args: [unknown]) {
+      const alive = Object.keys(document.documentElement).some((key) => key.startsWith('__reactProps'))
+      if (!alive) postMessage.apply(this, args)
+    } as typeof postMessage
+  })
+  await page.goto('/docs/setup')
+  await page.keyboard.press('/')
+  await expect(dialog(page)).toBeVisible()
+})
+
 test('who types “reduced motion” is told how many results there are, and Enter opens the first', async ({
   page,
 }) => {
