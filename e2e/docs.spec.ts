@@ -9,11 +9,12 @@ test('the props table says what range and default a number has, in the page and 
   page,
   request,
 }) => {
+  const gravityRange = '0 to 20,000, or x and y each −20,000 to 20,000'
   await page.goto('/docs/gravity-stack')
   const row = (name: string) =>
     page.getByRole('group', { name: 'Props' }).getByRole('row', { name: RegExp(`^${name}`) })
   for (const [name, range, value] of [
-    ['gravity', 'number | { x: number; y: number }, 0 to 20,000', '2600'],
+    ['gravity', `number | { x: number; y: number }, ${gravityRange}`, '2600'],
     ['bounce', 'number, 0 to 1', '0.18'],
     ['friction', 'number, 0 to 10', '0.4'],
     ['stagger', 'number, 0 to 60,000', '150'],
@@ -23,7 +24,9 @@ test('the props table says what range and default a number has, in the page and 
     await expect(row(name).getByRole('cell').first()).toHaveText(value)
   }
   const markdown = await (await request.get('/docs/gravity-stack.md')).text()
-  expect(markdown).toContain('| `gravity` | `number \\| { x: number; y: number }`, 0 to 20,000 |')
+  expect(markdown).toContain(`| \`gravity\` | \`number \\| { x: number; y: number }\`, ${gravityRange} |`)
+  // The prompt for an assistant stands in it too.
+  expect(markdown).toContain(`- gravity (number | { x: number; y: number }, ${gravityRange}, default 2600)`)
 })
 
 test('beside a page stand its headings, in their words', async ({ page }) => {

@@ -67,7 +67,7 @@ export const news = {
   others: [
     {
       title: 'Obstacles, and a direction',
-      href: '/docs/gravity-stack#api-reference',
+      href: '/docs/gravity-stack#shelves',
       text: 'Chips land on your headings and buttons and go round them. Gravity points wherever you say, a ceiling closes the top, and a mouse may push.',
     },
     {

@@ -28,10 +28,12 @@ export function readProps(): Prop[] {
     const raw = prop.tsType && 'raw' in prop.tsType && prop.tsType.raw ? prop.tsType.raw : prop.tsType?.name
     // That a prop may be left out says its question mark, for those who write it down as well.
     const type = raw?.replace(/ \| undefined$/, '').replace(/^\((.*)\)$/, '$1')
+    const limit = most && Number(most).toLocaleString('en')
     return {
       name,
       type: type ?? 'unknown',
-      range: most && `0 to ${Number(most).toLocaleString('en')}`,
+      range:
+        limit && `0 to ${limit}${type?.includes('{ x') ? `, or x and y each −${limit} to ${limit}` : ''}`,
       fallback: written,
       description: description.replace(/\s*\n\s*/g, ' '),
     }

@@ -3558,7 +3558,7 @@ function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
-      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range, or leave ${name} out.`,
+      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range${name === 'gravity' ? `, or { x, y }, each from -${most} to ${most}` : ''}, or leave ${name} out.`,
     )
   return result
 }
@@ -3572,7 +3572,7 @@ function checkedGravity(value: unknown): Vector {
   const vector = { x: part(x), y: part(y) }
   if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
     warn(
-      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number.`,
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number from 0 to ${most}.`,
     )
   return vector
 }
@@ -5044,8 +5044,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to
-   * 20,000. Chips come in from above whatever it is.
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, with minus signs to the
+   * left and up. Chips come in from above whatever it is.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined

@@ -22,8 +22,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, each from −20,000 to
-   * 20,000. Chips come in from above whatever it is.
+   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, with minus signs to the
+   * left and up. Chips come in from above whatever it is.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
