@@ -32,7 +32,7 @@ test('a slash opens the search as soon as the page is alive, however late its ot
   // What React puts off until after its commit comes as a message: none comes any more.
   await page.addInitScript(() => {
     const { postMessage } = MessagePort.prototype
-    MessagePort.prototype.postMessage = function (...args: [unknown]) {
+    MessagePort.prototype.postMessage = function (this: MessagePort, ...args: [unknown]) {
       const alive = Object.keys(document.documentElement).some((key) => key.startsWith('__reactProps'))
       if (!alive) postMessage.apply(this, args)
     } as typeof postMessage
