@@ -60,6 +60,12 @@ test('chips land and rest on a heading under the stage, on a turned plank, a pil
   expect(await plank.evaluate((element) => element.parentElement!.dataset.slot)).toBe('gravity-stack')
 })
 
+test('chips land on a heading whose middle lies exactly at the left edge of the stage', async ({ stage }) => {
+  await stage.settled('obstacles', { left: '-150px' })
+  await expectRest(stage)
+  expect((await against(stage)).touching).toBeGreaterThan(0)
+})
+
 for (const act of ['moves', 'grows', 'goes'])
   test(`a heading that ${act} wakes the chips that lie on it, and they come to rest again`, async ({
     stage,

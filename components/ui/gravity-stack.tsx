@@ -2511,7 +2511,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
-  bodies.held[i] = bodies.asleep[i] = 0
+  bodies.held[i] = bodies.asleep[i] = bodies.undrawn[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
   if (isObstacleBody(bodies, i)) bodies.staticCount++
@@ -3980,6 +3980,27 @@ function pointerMap(root: HTMLElement, box: DOMRect) {
     .inverse()
 }
 
+/** Where a pointer is over a stage (px of the stage), and when (s). */
+interface Place {
+  x: number
+  y: number
+  seconds: number
+  /** The bounding box of the stage at that time, and the map from it to the stage's own px. */
+  box: DOMRect
+  toStage: DOMMatrix
+}
+
+/** The place of an event's pointer; the layout is read anew unless the place `before` tells the same. */
+function placeOf({ clientX, clientY, timeStamp }: PointerEvent, root: HTMLElement, before?: Place): Place {
+  const box = root.getBoundingClientRect()
+  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+  // has another size.
+  const same = box.width === before?.box.width && box.height === before.box.height
+  const toStage = same ? before.toStage : pointerMap(root, box)
+  const { x, y } = toStage.transformPoint({ x: clientX - box.x, y: clientY - box.y })
+  return { x, y, seconds: timeStamp / 1000, box, toStage }
+}
+
 // stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
 
 /**
@@ -3990,8 +4011,8 @@ const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** In the world, or undefined, and as what: x, y, angle, width, height, radius, or nothing. */
-  id?: number | undefined
+  /** In the world, or -1, and as what: x, y, angle, width, height, radius, or nothing. */
+  id: number
   placed: number[]
   /** Sees the element move or change its size. */
   watch?: IntersectionObserver
@@ -4085,15 +4106,8 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
       if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
       any = true
       obstacle.placed = body
-      if (!body[0]) {
-        world.remove(obstacle.id!)
-        obstacle.id = undefined
-      } else if (obstacle.id === undefined)
-        obstacle.id = world.add({ x, y, angle, width, height, radius, density: Infinity })
-      else {
-        world.place(obstacle.id, { x, y, angle })
-        world.reshape(obstacle.id, { width, height, radius })
-      }
+      world.remove(obstacle.id)
+      obstacle.id = body.length ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
     if (any) pile.makeRoom()
   }
@@ -4103,8 +4117,9 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
 
     /** The pile has a new world, which knows none of the obstacles yet. */
     enter() {
-      all.forEach((obstacle, element) => {
-        all.set(element, { ...obstacle, id: undefined, placed: [] })
+      all.forEach((obstacle) => {
+        obstacle.id = -1
+        obstacle.placed = []
       })
       measure()
     },
@@ -4123,7 +4138,7 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()
-        pile.world?.remove(obstacle.id!)
+        pile.world?.remove(obstacle.id)
         all.delete(element)
         pile.makeRoom()
       })
@@ -4135,7 +4150,7 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
             )
         } else if (!all.get(element)?.watch) {
           fresh = true
-          all.set(element, { placed: [], ...all.get(element) })
+          all.set(element, all.get(element) ?? { id: -1, placed: [] })
         }
       }
       if (fresh) measure()
@@ -4143,10 +4158,9 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
 
     /** Watches nothing any more, until it is told again what the obstacles are. */
     stop() {
-      all.forEach((obstacle, element) => {
+      all.forEach((obstacle) => {
         obstacle.watch?.disconnect()
-        const { id, placed } = obstacle
-        all.set(element, { id, placed })
+        delete obstacle.watch
       })
     },
   }
@@ -4335,14 +4349,12 @@ type Focus = ReturnType<typeof createFocus>
 
 // stage/sizes: the sizes of the stage and its chips ─────────────────────────────────────────────────────────
 
-/** Watches the sizes of a stage and its chips; calls `withdraw` with chips that have lost theirs. */
+/** Watches the sizes of a stage and its chips; calls `resize` when the stage has another. */
 function createSizes(
   context: Context,
   pile: StagePile,
-  plan: Plan,
-  obstacles: Obstacles,
-  visibility: Visibility,
   focus: Focus,
+  resize: (appeared: boolean) => void,
   withdraw: (chips: Chip[]) => void,
 ) {
   const { root, view, chips } = context
@@ -4364,12 +4376,7 @@ function createSizes(
     context.width = root.clientWidth
     context.height = root.clientHeight
     if (!(context.width * context.height)) return
-    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-    if (appeared && !visibility.started) visibility.checkAgain()
-    if (pile.world) {
-      pile.world.resize(context.width, context.height)
-      obstacles.measure()
-    } else plan.begin()
+    resize(appeared)
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
       chips.forEach((chip) => {
@@ -4610,16 +4617,10 @@ interface Press {
   down: PointerEvent
   /** The last event of the pointer. */
   at: PointerEvent
-  /** The map from the bounding box of the stage to its own px. */
-  toStage: DOMMatrix
-  box?: DOMRect
+  place: Place
   /** Client px, where the pointer went down; scrolling moves that along. */
   fromX: number
   fromY: number
-  /** Place of the pointer, px of the stage, at the time `seconds`. */
-  x: number
-  y: number
-  seconds: number
   /** px from the centre of the chip, where the pointer went down. */
   offX: number
   offY: number
@@ -4639,23 +4640,9 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** Takes over where the pointer is now, px of the stage. */
-function track(press: Press, event: PointerEvent, root: HTMLElement) {
-  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
-  // has another size.
-  const box = root.getBoundingClientRect()
-  if (box.width !== press.box?.width || box.height !== press.box.height) press.toStage = pointerMap(root, box)
-  // The same event comes again after the page has scrolled, which moves the place of the press along.
-  if (event === press.at) {
-    press.fromX += box.x - press.box!.x
-    press.fromY += box.y - press.box!.y
-  }
-  press.box = box
-  const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
-  press.at = event
-  press.x = x
-  press.y = y
-  press.seconds = event.timeStamp / 1000
+/** Leads the chip to where the pointer is. */
+function moveGrab({ grab, place }: Press) {
+  grab?.moveTo(place.x, place.y, place.seconds)
 }
 
 /** CSS transforms that shrink a chip towards the pointer, so that a click still meets its element. */
@@ -4710,17 +4697,19 @@ function createPointers(
     if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
     const touch = event.pointerType === 'touch'
-    const press = {
+    const place = placeOf(event, root)
+    const press: Press = {
       chip,
       down: event,
+      at: event,
+      place,
       origin: event.target as Element,
       fromX: event.clientX,
       fromY: event.clientY,
+      offX: place.x - chip.x,
+      offY: place.y - chip.y,
       touch,
-    } as Press
-    track(press, event, root)
-    press.offX = press.x - chip.x
-    press.offY = press.y - chip.y
+    }
     if (!presses.size) listenToPointers()
     presses.set(event.pointerId, press)
     if (touch) {
@@ -4744,7 +4733,7 @@ function createPointers(
     clearTimeout(press.timer)
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
-    press.grab.moveTo(press.x, press.y, press.seconds)
+    moveGrab(press)
     chip.pinch = pinchOf(press)
     show(chip, 'held')
   }
@@ -4754,7 +4743,14 @@ function createPointers(
     if (!press) return
     // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
-    track(press, event, root)
+    const { box } = press.place
+    press.place = placeOf(event, root, press.place)
+    // The same event comes again after the page has scrolled, which moves the place of the press along.
+    if (event === press.at) {
+      press.fromX += press.place.box.x - box.x
+      press.fromY += press.place.box.y - box.y
+    }
+    press.at = event
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
@@ -4764,7 +4760,7 @@ function createPointers(
       capture(press)
       if (!press.grab) return hold(press)
     }
-    press.grab?.moveTo(press.x, press.y, press.seconds)
+    moveGrab(press)
   }
 
   /** The pointer is up, or lost to the browser. */
@@ -4827,31 +4823,25 @@ const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
 
 /** Pushes chips aside with the mouse or pen that moves over a stage while nothing is pressed. */
-function followHover(
-  on: Listen,
-  { root, view, settings, update }: Context,
-  pile: StagePile,
-  { isLive }: Lifecycle,
-) {
-  let toStage: DOMMatrix
-  let known: DOMRect | undefined
-  let last: { x: number; y: number; time: number } | undefined
+function followHover(on: Listen, context: Context, pile: StagePile, { isLive }: Lifecycle) {
+  const { root, view, settings } = context
+  let known: Place | undefined
+  /** The place of the pointer while it is over the stage. */
+  let last: Place | undefined
   // The window listens: a stage that lies over a page may let pointers through.
-  on(view, 'pointermove', ({ pointerType, buttons, clientX, clientY, timeStamp }: PointerEvent) => {
+  on(view, 'pointermove', (event: PointerEvent) => {
     const before = last
     last = undefined
-    if (buttons || pointerType === 'touch' || !isLive()) return
-    const box = root.getBoundingClientRect()
-    if (clientX < box.left || clientX > box.right || clientY < box.top || clientY > box.bottom) return
-    if (box.width !== known?.width || box.height !== known.height) toStage = pointerMap(root, box)
-    known = box
-    const { x, y } = toStage.transformPoint({ x: clientX - box.x, y: clientY - box.y })
-    last = { x, y, time: timeStamp / 1000 }
+    if (event.buttons || event.pointerType === 'touch' || !isLive()) return
+    known = placeOf(event, root, known)
+    const { x, y, seconds } = known
+    if (x < 0 || y < 0 || x > context.width || y > context.height) return
+    last = known
     if (!before) return
-    const seconds = Math.min(Math.max(last.time - before.time, BRIEFEST), LONGEST)
+    const time = Math.min(Math.max(seconds - before.seconds, BRIEFEST), LONGEST)
     pile.touch()
-    pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, seconds)
-    update()
+    pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, time)
+    context.update()
   })
 }
 
@@ -4907,7 +4897,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     queue.catchUp()
     queue.reschedule()
   })
-  const sizes = createSizes(context, pile, plan, obstacles, visibility, focus, withdraw)
+  const sizes = createSizes(context, pile, focus, resize, withdraw)
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus)
   const clicks = createClicks(context, pile, lifecycle)
   const pointers = createPointers(context, pile, focus, lifecycle, clicks)
@@ -4927,6 +4917,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     gone.forEach(sizes.remove)
     withdraw(gone)
     obstacles.find()
+  }
+
+  /** The stage has another size, or had none before. */
+  function resize(appeared: boolean) {
+    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
+    if (appeared && !visibility.started) visibility.checkAgain()
+    if (!pile.world) return plan.begin()
+    pile.world.resize(context.width, context.height)
+    obstacles.measure()
   }
 
   function withdraw(chips: Chip[]) {

@@ -58,6 +58,14 @@ describe('an obstacle', () => {
     expect(world.read(id)).toMatchObject({ x: 320, y: 200, angle: 0.2, vx: 0, vy: 0, spin: 0 })
   })
 
+  it('that takes the place of a chip which fell is not drawn as that chip', () => {
+    const { world, ids } = worldOf([pill(320, 50)])
+    run(world, 0.1)
+    world.remove(ids[0])
+    expect(obstacle(world, shelf)).toBe(ids[0])
+    world.eachMoved((id) => expect.unreachable(`body ${id} is drawn`))
+  })
+
   for (const axis of ['down', 'right'])
     it(`is passed by nothing that flies ${axis} at 3600 px/s, however thin it is`, () => {
       for (let angle = 0; angle < 3; angle += 0.25) {

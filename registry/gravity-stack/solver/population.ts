@@ -21,7 +21,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
-  bodies.held[i] = bodies.asleep[i] = 0
+  bodies.held[i] = bodies.asleep[i] = bodies.undrawn[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
   if (isObstacleBody(bodies, i)) bodies.staticCount++

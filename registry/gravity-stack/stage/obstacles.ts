@@ -13,8 +13,8 @@ const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** In the world, or undefined, and as what: x, y, angle, width, height, radius, or nothing. */
-  id?: number | undefined
+  /** In the world, or -1, and as what: x, y, angle, width, height, radius, or nothing. */
+  id: number
   placed: number[]
   /** Sees the element move or change its size. */
   watch?: IntersectionObserver
@@ -108,15 +108,8 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
       if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
       any = true
       obstacle.placed = body
-      if (!body[0]) {
-        world.remove(obstacle.id!)
-        obstacle.id = undefined
-      } else if (obstacle.id === undefined)
-        obstacle.id = world.add({ x, y, angle, width, height, radius, density: Infinity })
-      else {
-        world.place(obstacle.id, { x, y, angle })
-        world.reshape(obstacle.id, { width, height, radius })
-      }
+      world.remove(obstacle.id)
+      obstacle.id = body.length ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
     if (any) pile.makeRoom()
   }
@@ -126,8 +119,9 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
 
     /** The pile has a new world, which knows none of the obstacles yet. */
     enter() {
-      all.forEach((obstacle, element) => {
-        all.set(element, { ...obstacle, id: undefined, placed: [] })
+      all.forEach((obstacle) => {
+        obstacle.id = -1
+        obstacle.placed = []
       })
       measure()
     },
@@ -146,7 +140,7 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()
-        pile.world?.remove(obstacle.id!)
+        pile.world?.remove(obstacle.id)
         all.delete(element)
         pile.makeRoom()
       })
@@ -158,7 +152,7 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
             )
         } else if (!all.get(element)?.watch) {
           fresh = true
-          all.set(element, { placed: [], ...all.get(element) })
+          all.set(element, all.get(element) ?? { id: -1, placed: [] })
         }
       }
       if (fresh) measure()
@@ -166,10 +160,9 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
 
     /** Watches nothing any more, until it is told again what the obstacles are. */
     stop() {
-      all.forEach((obstacle, element) => {
+      all.forEach((obstacle) => {
         obstacle.watch?.disconnect()
-        const { id, placed } = obstacle
-        all.set(element, { id, placed })
+        delete obstacle.watch
       })
     },
   }

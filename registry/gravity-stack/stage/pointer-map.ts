@@ -16,3 +16,28 @@ export function pointerMap(root: HTMLElement, box: DOMRect) {
     .scale(0.01)
     .inverse()
 }
+
+/** Where a pointer is over a stage (px of the stage), and when (s). */
+export interface Place {
+  x: number
+  y: number
+  seconds: number
+  /** The bounding box of the stage at that time, and the map from it to the stage's own px. */
+  box: DOMRect
+  toStage: DOMMatrix
+}
+
+/** The place of an event's pointer; the layout is read anew unless the place `before` tells the same. */
+export function placeOf(
+  { clientX, clientY, timeStamp }: PointerEvent,
+  root: HTMLElement,
+  before?: Place,
+): Place {
+  const box = root.getBoundingClientRect()
+  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
+  // has another size.
+  const same = box.width === before?.box.width && box.height === before.box.height
+  const toStage = same ? before.toStage : pointerMap(root, box)
+  const { x, y } = toStage.transformPoint({ x: clientX - box.x, y: clientY - box.y })
+  return { x, y, seconds: timeStamp / 1000, box, toStage }
+}

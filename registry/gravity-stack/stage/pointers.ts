@@ -6,7 +6,7 @@ import type { Focus } from './focus'
 import type { Lifecycle } from './lifecycle'
 import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
-import { pointerMap } from './pointer-map'
+import { type Place, placeOf } from './pointer-map'
 import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
 
 /** ms that a finger rests on a chip, or px that it moves sideways, before it holds the chip (D-066). */
@@ -23,16 +23,10 @@ interface Press {
   down: PointerEvent
   /** The last event of the pointer. */
   at: PointerEvent
-  /** The map from the bounding box of the stage to its own px. */
-  toStage: DOMMatrix
-  box?: DOMRect
+  place: Place
   /** Client px, where the pointer went down; scrolling moves that along. */
   fromX: number
   fromY: number
-  /** Place of the pointer, px of the stage, at the time `seconds`. */
-  x: number
-  y: number
-  seconds: number
   /** px from the centre of the chip, where the pointer went down. */
   offX: number
   offY: number
@@ -52,23 +46,9 @@ function capture({ chip, down }: Press) {
   }
 }
 
-/** Takes over where the pointer is now, px of the stage. */
-function track(press: Press, event: PointerEvent, root: HTMLElement) {
-  // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
-  // has another size.
-  const box = root.getBoundingClientRect()
-  if (box.width !== press.box?.width || box.height !== press.box.height) press.toStage = pointerMap(root, box)
-  // The same event comes again after the page has scrolled, which moves the place of the press along.
-  if (event === press.at) {
-    press.fromX += box.x - press.box!.x
-    press.fromY += box.y - press.box!.y
-  }
-  press.box = box
-  const { x, y } = press.toStage.transformPoint({ x: event.clientX - box.x, y: event.clientY - box.y })
-  press.at = event
-  press.x = x
-  press.y = y
-  press.seconds = event.timeStamp / 1000
+/** Leads the chip to where the pointer is. */
+function moveGrab({ grab, place }: Press) {
+  grab?.moveTo(place.x, place.y, place.seconds)
 }
 
 /** CSS transforms that shrink a chip towards the pointer, so that a click still meets its element. */
@@ -123,17 +103,19 @@ export function createPointers(
     if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
     const touch = event.pointerType === 'touch'
-    const press = {
+    const place = placeOf(event, root)
+    const press: Press = {
       chip,
       down: event,
+      at: event,
+      place,
       origin: event.target as Element,
       fromX: event.clientX,
       fromY: event.clientY,
+      offX: place.x - chip.x,
+      offY: place.y - chip.y,
       touch,
-    } as Press
-    track(press, event, root)
-    press.offX = press.x - chip.x
-    press.offY = press.y - chip.y
+    }
     if (!presses.size) listenToPointers()
     presses.set(event.pointerId, press)
     if (touch) {
@@ -157,7 +139,7 @@ export function createPointers(
     clearTimeout(press.timer)
     focus.toFront(chip)
     press.grab = pile.grab(chip, press.offX, press.offY)
-    press.grab.moveTo(press.x, press.y, press.seconds)
+    moveGrab(press)
     chip.pinch = pinchOf(press)
     show(chip, 'held')
   }
@@ -167,7 +149,14 @@ export function createPointers(
     if (!press) return
     // The release was lost to a menu of the system or an alert.
     if (event.isTrusted && event.type === 'pointermove' && !(event.buttons & 1)) return letGo(press)
-    track(press, event, root)
+    const { box } = press.place
+    press.place = placeOf(event, root, press.place)
+    // The same event comes again after the page has scrolled, which moves the place of the press along.
+    if (event === press.at) {
+      press.fromX += press.place.box.x - box.x
+      press.fromY += press.place.box.y - box.y
+    }
+    press.at = event
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
     if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
@@ -177,7 +166,7 @@ export function createPointers(
       capture(press)
       if (!press.grab) return hold(press)
     }
-    press.grab?.moveTo(press.x, press.y, press.seconds)
+    moveGrab(press)
   }
 
   /** The pointer is up, or lost to the browser. */

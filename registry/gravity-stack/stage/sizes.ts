@@ -2,20 +2,15 @@ import { chipAt } from './children'
 import type { Chip } from './chip'
 import type { Context } from './context'
 import type { Focus } from './focus'
-import type { Obstacles } from './obstacles'
 import type { StagePile } from './pile'
-import type { Plan } from './plan'
 import { warn } from './props'
-import type { Visibility } from './visibility'
 
-/** Watches the sizes of a stage and its chips; calls `withdraw` with chips that have lost theirs. */
+/** Watches the sizes of a stage and its chips; calls `resize` when the stage has another. */
 export function createSizes(
   context: Context,
   pile: StagePile,
-  plan: Plan,
-  obstacles: Obstacles,
-  visibility: Visibility,
   focus: Focus,
+  resize: (appeared: boolean) => void,
   withdraw: (chips: Chip[]) => void,
 ) {
   const { root, view, chips } = context
@@ -37,12 +32,7 @@ export function createSizes(
     context.width = root.clientWidth
     context.height = root.clientHeight
     if (!(context.width * context.height)) return
-    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-    if (appeared && !visibility.started) visibility.checkAgain()
-    if (pile.world) {
-      pile.world.resize(context.width, context.height)
-      obstacles.measure()
-    } else plan.begin()
+    resize(appeared)
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
       chips.forEach((chip) => {

@@ -66,7 +66,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     queue.catchUp()
     queue.reschedule()
   })
-  const sizes = createSizes(context, pile, plan, obstacles, visibility, focus, withdraw)
+  const sizes = createSizes(context, pile, focus, resize, withdraw)
   const lifecycle = createLifecycle(context, queue, pile, plan, visibility, focus)
   const clicks = createClicks(context, pile, lifecycle)
   const pointers = createPointers(context, pile, focus, lifecycle, clicks)
@@ -86,6 +86,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     gone.forEach(sizes.remove)
     withdraw(gone)
     obstacles.find()
+  }
+
+  /** The stage has another size, or had none before. */
+  function resize(appeared: boolean) {
+    // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
+    if (appeared && !visibility.started) visibility.checkAgain()
+    if (!pile.world) return plan.begin()
+    pile.world.resize(context.width, context.height)
+    obstacles.measure()
   }
 
   function withdraw(chips: Chip[]) {
