@@ -1,11 +1,11 @@
 'use client'
 
-import { type CSSProperties, useEffect, useRef } from 'react'
+import { type CSSProperties, useEffect, useRef, useState } from 'react'
 import { at } from '@/lib/address'
 
 /**
- * A block in a frame of its own, so that its window is as wide as the frame. The frame is empty until it is
- * about to be seen: a page full of blocks costs no more than those that somebody looks at.
+ * A block in a frame of its own, so that its window is as wide as the frame. The frame is made when it is about
+ * to be seen: an empty one costs as much as a small page, and holds up the page that is being read.
  */
 export function BlockFrame({
   name,
@@ -18,29 +18,32 @@ export function BlockFrame({
   className: string
   style?: CSSProperties
 }) {
-  const frame = useRef<HTMLIFrameElement>(null)
+  const place = useRef<HTMLDivElement>(null)
+  const [seen, setSeen] = useState(false)
 
   useEffect(() => {
     const near = new IntersectionObserver(
       ([entry]) => {
         if (!entry.isIntersecting) return
         near.disconnect()
-        frame.current!.src = at(`/blocks/${name}`)
+        setSeen(true)
       },
       { rootMargin: '200px' },
     )
-    near.observe(frame.current!)
+    near.observe(place.current!)
     return () => near.disconnect()
-  }, [name])
+  }, [])
 
   return (
     <>
-      <iframe
-        ref={frame}
-        title={title}
+      <div
+        ref={place}
+        data-slot="block-frame"
         style={style}
-        className={`w-full bg-stage [@media(scripting:none)]:hidden ${className}`}
-      />
+        className={`bg-stage [@media(scripting:none)]:hidden ${className}`}
+      >
+        {seen && <iframe src={at(`/blocks/${name}`)} title={title} className="block size-full" />}
+      </div>
       <noscript>
         {/* Without script nothing keeps an example link from leading to a page that is not there. */}
         <iframe

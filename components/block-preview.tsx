@@ -1,10 +1,11 @@
 'use client'
 
-import { type CSSProperties, type ReactNode, useId, useState } from 'react'
+import { type CSSProperties, useId, useState } from 'react'
 import { at } from '@/lib/address'
 import { BlockFrame } from './block-frame'
 import { CopyButton } from './copy-button'
 import { TabList } from './tab-list'
+import { useSource } from './use-source'
 
 const tabs = [
   { value: 'preview', label: 'Preview' },
@@ -12,30 +13,38 @@ const tabs = [
   { value: 'code', label: 'Code' },
 ]
 
-/** A block live, as wide as the page or as a phone, and its code, all in one box that keeps its height. */
+/**
+ * A block live, as wide as the page or as a phone, and its code, all in one box that keeps its height. Code is
+ * fetched when it is first shown: that of twelve blocks in the page would be two thirds of it.
+ */
 export function BlockPreview({
   name,
   title,
   heights,
-  code,
 }: {
   name: string
   title: string
   heights: { wide: number; narrow: number }
-  code: ReactNode
 }) {
   const id = useId()
   const [tab, setTab] = useState('preview')
+  const source = useSource(name)
   const live = tab !== 'code'
   // Both tabs of the live block have one panel.
   const shown = live ? tab : 'preview'
+
+  function select(next: string) {
+    setTab(next)
+    if (next === 'code') source.load()
+  }
+
   return (
     <div
       className="code overflow-hidden rounded-2xl border bg-panel"
       style={{ '--wide': `${heights.wide}px`, '--narrow': `${heights.narrow}px` } as CSSProperties}
     >
       <div data-print="hide" className="flex items-center justify-between border-b p-1.5">
-        <TabList id={id} label={title} tabs={tabs} value={tab} onSelect={setTab} />
+        <TabList id={id} label={title} tabs={tabs} value={tab} onSelect={select} />
         {live ? (
           <a
             href={at(`/blocks/${name}`)}
@@ -44,7 +53,7 @@ export function BlockPreview({
             Full page
           </a>
         ) : (
-          <CopyButton />
+          <CopyButton from={`/source/${name}.tsx.txt`} />
         )}
       </div>
       <div className="grid min-w-0 grid-cols-[minmax(0,1fr)] bg-stage *:col-start-1 *:row-start-1">
@@ -68,7 +77,18 @@ export function BlockPreview({
           inert={live}
           className="inert:invisible relative min-h-96 bg-panel inert:[content-visibility:hidden]"
         >
-          {code}
+          {source.html ? (
+            <div
+              className="absolute inset-0 [&>pre]:h-full"
+              // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
+              dangerouslySetInnerHTML={{ __html: source.html }}
+            />
+          ) : (
+            <p role="status" className="p-4 text-muted-foreground text-sm">
+              {source.state === 'fetching' && 'Fetching…'}
+              {source.state === 'failed' && 'The code could not be fetched. Choose Code again to retry.'}
+            </p>
+          )}
         </div>
       </div>
     </div>

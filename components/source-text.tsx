@@ -1,7 +1,7 @@
 'use client'
 
-import { type ReactNode, useState } from 'react'
-import { at } from '@/lib/address'
+import type { ReactNode } from 'react'
+import { useSource } from './use-source'
 
 /** The button that had the focus is gone; a reader who has moved on meanwhile is left alone. */
 function takeFocus(code: HTMLElement | null) {
@@ -10,20 +10,7 @@ function takeFocus(code: HTMLElement | null) {
 
 /** `children` are the first lines; a press on `all` brings the file in full, highlighted at build time. */
 export function SourceText({ all, plain, children }: { all: string; plain: ReactNode; children: ReactNode }) {
-  const [html, setHtml] = useState<string>()
-  const [state, setState] = useState<'short' | 'loading' | 'failed'>('short')
-
-  async function show() {
-    if (state === 'loading') return
-    setState('loading')
-    try {
-      const response = await fetch(at('/source/gravity-stack.html.txt'))
-      if (!response.ok) throw new Error(response.statusText)
-      setHtml(await response.text())
-    } catch {
-      setState('failed')
-    }
-  }
+  const { html, state, load } = useSource('gravity-stack')
 
   return (
     <>
@@ -37,10 +24,10 @@ export function SourceText({ all, plain, children }: { all: string; plain: React
         {!html && (
           <button
             type="button"
-            onClick={show}
+            onClick={load}
             className="font-medium underline decoration-foreground/30 underline-offset-4 hover:decoration-foreground"
           >
-            {state === 'loading' ? 'Fetching…' : all}
+            {state === 'fetching' ? 'Fetching…' : all}
           </button>
         )}
         {plain}

@@ -61,13 +61,28 @@ for (const { name, meta } of blocks) {
   })
 }
 
+test('the page of blocks has neither frames nor code of those that nobody has come near', async ({
+  page,
+  request,
+}) => {
+  const html = await (await request.get('/blocks')).text()
+  const withoutScript = html.replaceAll(/<noscript>.*?<\/noscript>/gs, '')
+  expect(withoutScript).not.toMatch(/<iframe|<span class="token/)
+  // With the code of all blocks it was 467 kB, which a phone reads before it answers.
+  expect(html.length / 1000).toBeLessThan(200)
+  await page.goto('/blocks')
+  await expect(page.locator('iframe').first()).toBeVisible()
+  expect(await page.locator('iframe').count()).toBeLessThan(4)
+})
+
 test('a block is still until it is near the window, and takes the theme of the page around it', async ({
   page,
 }) => {
   await page.emulateMedia({ colorScheme: 'light' })
   await page.goto('/blocks')
   const frame = page.locator(`#content iframe[title="Onboarding interests"]`)
-  await expect(frame).not.toHaveAttribute('src')
+  await expect(frame).toHaveCount(0)
+  await page.getByRole('heading', { name: 'Onboarding interests' }).scrollIntoViewIfNeeded()
   await frame.scrollIntoViewIfNeeded()
   const inside = frame.contentFrame()
   await expect(inside.locator('[data-slot=gravity-stack]')).toHaveAttribute('data-state', 'resting')
@@ -86,8 +101,23 @@ test('the tab Phone makes a block narrow, and Code shows the file that is instal
   const width = () => box.locator('iframe').evaluate((frame) => frame.clientWidth)
   await expect.poll(width).toBe(375)
   await box.getByRole('tab', { name: 'Code' }).click()
-  const code = await box.getByRole('tabpanel', { name: 'Code' }).locator('pre').textContent()
-  expect(code!.trim()).toBe(readFileSync('registry/blocks/gravity-not-found.tsx', 'utf8').trim())
+  const file = readFileSync('registry/blocks/gravity-not-found.tsx', 'utf8').trim()
+  await expect.poll(() => box.getByRole('tabpanel', { name: 'Code' }).locator('pre').textContent()).toBe(file)
+  await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
+  await box.getByRole('button', { name: 'Copy code' }).click()
+  await expect(box.getByRole('button', { name: 'Copied' })).toBeVisible()
+  expect((await page.evaluate(() => navigator.clipboard.readText())).trim()).toBe(file)
+})
+
+test('code that could not be fetched is asked for again by its tab', async ({ page }) => {
+  await page.route('**/gravity-not-found.html.txt', (route) => route.abort())
+  await page.goto('/blocks')
+  const box = page.locator('.code', { has: page.getByRole('tablist', { name: '404' }) })
+  await box.getByRole('tab', { name: 'Code' }).click()
+  await expect(box.getByText('could not be fetched')).toBeVisible()
+  await page.unroute('**/gravity-not-found.html.txt')
+  await box.getByRole('tab', { name: 'Code' }).click()
+  await expect(box.locator('pre')).toContainText('export function GravityNotFound')
 })
 
 test('the newsletter is filled in by the keyboard alone, topics in the pile too', async ({ page }) => {

@@ -1,6 +1,5 @@
 import type { Metadata } from 'next'
 import { BlockPreview } from '@/components/block-preview'
-import { Code } from '@/components/code-block'
 import { Command } from '@/components/command'
 import { Heading } from '@/components/heading'
 import { OpenInV0 } from '@/components/open-in-v0'
@@ -8,7 +7,6 @@ import { PageEnd } from '@/components/page-end'
 import { PageTools } from '@/components/page-tools'
 import { Site } from '@/components/site'
 import { blocks, blocksPitch } from '@/lib/blocks'
-import { blockSource } from '@/lib/source'
 import { siteUrl } from '@/site.config.mjs'
 
 export const metadata: Metadata = {
@@ -38,12 +36,7 @@ export default function Blocks() {
               <OpenInV0 name={name} />
             </div>
             <div className="mt-5">
-              <BlockPreview
-                name={name}
-                title={title}
-                heights={heights}
-                code={<Code code={blockSource(name)} className="absolute inset-0 [&>pre]:h-full" />}
-              />
+              <BlockPreview name={name} title={title} heights={heights} />
             </div>
             <div className="mt-4 max-w-2xl">
               <Command label={`add ${name}`} run={`shadcn@latest add ${siteUrl}/r/${name}.json`} />

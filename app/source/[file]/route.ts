@@ -1,5 +1,6 @@
+import { blocks } from '@/lib/blocks'
 import { highlight } from '@/lib/highlight'
-import { agentsSource, componentFile, componentSource } from '@/lib/source'
+import { agentsSource, blockSource, componentFile, componentSource } from '@/lib/source'
 
 // The ending is .txt for all: any static host serves that as text and no browser runs it.
 const files: Record<string, () => string | Promise<string>> = {
@@ -10,6 +11,12 @@ const files: Record<string, () => string | Promise<string>> = {
       '<pre ',
       `<pre role="region" aria-label="${componentFile}" `,
     ),
+  ...Object.fromEntries(
+    blocks.flatMap(({ name }) => [
+      [`${name}.tsx.txt`, () => blockSource(name)],
+      [`${name}.html.txt`, () => highlight(blockSource(name))],
+    ]),
+  ),
 }
 
 export const dynamic = 'force-static'
