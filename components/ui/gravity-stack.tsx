@@ -521,6 +521,69 @@ class Simulation {
   work: Float64Array = new Float64Array(5)
 }
 
+// solver/math: rotation and damping, the same bits in every engine ──────────────────────────────────────────
+
+/** `value` brought between `least` and `most`. */
+function clamp(value: number, least: number, most: number): number {
+  return Math.max(least, Math.min(most, value))
+}
+
+/** Makes every array of `owner` twice as long. */
+function grow(owner: object): void {
+  const named = owner as Record<string, Int32Array>
+  for (const name in named) {
+    const from = named[name]
+    if (!ArrayBuffer.isView(from)) continue
+    named[name] = new (from.constructor as typeof Int32Array)(from.length * 2)
+    named[name].set(from)
+  }
+}
+
+/**
+ * Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine.
+ */
+function updateRotation({ state, motion }: Bodies, i: number): void {
+  const m = i * MOTION
+  const angle = state[i * STATE + ANGLE]
+  if (angle === motion[m + ROTATED_TO]) return
+  const quarter = Math.round(angle / (Math.PI / 2))
+  // The rest is at most 0.79 rad, where the series is short.
+  const a = angle - quarter * (Math.PI / 2)
+  let sin = 1
+  let cos = 1
+  for (let k = 16; k > 1; k -= 2) {
+    sin = 1 - ((a * a) / (k * (k + 1))) * sin
+    cos = 1 - ((a * a) / (k * (k - 1))) * cos
+  }
+  sin *= a
+  const odd = quarter & 1
+  const turn = quarter & 3
+  motion[m + COS] = (odd ? sin : cos) * (turn === 1 || turn === 2 ? -1 : 1)
+  motion[m + SIN] = (odd ? cos : sin) * (turn > 1 ? -1 : 1)
+  motion[m + ROTATED_TO] = angle
+}
+
+/**
+ * Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5.
+ */
+function dampingOver(damping: number, h: number): Damping {
+  const z = -damping * h
+  let term = 1
+  let fade = 0
+  let reach = 0
+  let fall = 0
+  for (let k = 1; k < 19; k++) {
+    fade += term
+    reach += term / k
+    fall += term / (k * (k + 1))
+    term *= z / k
+  }
+  return { fade, reach: reach * h, fall: fall * h * h }
+}
+
+/** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
+const MAX_DAMPING = 0.5 / STEP
+
 // solver/input: what callers of the world pass, and what holds instead of what makes no sense ───────────────
 
 interface Vector {
@@ -595,77 +658,19 @@ interface Grab {
 const FAR = 1e6
 
 /** `value`, or `otherwise` if it is no finite number. */
-function finite(value: number | undefined, otherwise = 0): number {
+function finite(value: unknown, otherwise = 0): number {
   return typeof value === 'number' && value - value === 0 ? value : otherwise
 }
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
-function within(value: number | undefined, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
+function within(value: unknown, least: number, most: number, otherwise: number): number {
+  return clamp(finite(value, otherwise), least, most)
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */
 function sizeOf(value: number): number {
   return within(value, 1, FAR, 0)
 }
-
-// solver/math: rotation and damping, the same bits in every engine ──────────────────────────────────────────
-
-/** Makes every array of `owner` twice as long. */
-function grow(owner: object): void {
-  const named = owner as Record<string, Int32Array>
-  for (const name in named) {
-    const from = named[name]
-    if (!ArrayBuffer.isView(from)) continue
-    named[name] = new (from.constructor as typeof Int32Array)(from.length * 2)
-    named[name].set(from)
-  }
-}
-
-/**
- * Brings the rotation of body `i` up to its angle by + − × ÷ alone: Math.sin is not the same in every engine.
- */
-function updateRotation({ state, motion }: Bodies, i: number): void {
-  const m = i * MOTION
-  const angle = state[i * STATE + ANGLE]
-  if (angle === motion[m + ROTATED_TO]) return
-  const quarter = Math.round(angle / (Math.PI / 2))
-  // The rest is at most 0.79 rad, where the series is short.
-  const a = angle - quarter * (Math.PI / 2)
-  let sin = 1
-  let cos = 1
-  for (let k = 16; k > 1; k -= 2) {
-    sin = 1 - ((a * a) / (k * (k + 1))) * sin
-    cos = 1 - ((a * a) / (k * (k - 1))) * cos
-  }
-  sin *= a
-  const odd = quarter & 1
-  const turn = quarter & 3
-  motion[m + COS] = (odd ? sin : cos) * (turn === 1 || turn === 2 ? -1 : 1)
-  motion[m + SIN] = (odd ? cos : sin) * (turn > 1 ? -1 : 1)
-  motion[m + ROTATED_TO] = angle
-}
-
-/**
- * Damping (1/s) over `h` seconds, by series: Math.exp is not the same in every engine. Exact for c·h ≤ 0.5.
- */
-function dampingOver(damping: number, h: number): Damping {
-  const z = -damping * h
-  let term = 1
-  let fade = 0
-  let reach = 0
-  let fall = 0
-  for (let k = 1; k < 19; k++) {
-    fade += term
-    reach += term / k
-    fall += term / (k * (k + 1))
-    term *= z / k
-  }
-  return { fade, reach: reach * h, fall: fall * h * h }
-}
-
-/** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
-const MAX_DAMPING = 0.5 / STEP
 
 // solver/body: shapes, mass, inertia, extents ───────────────────────────────────────────────────────────────
 
@@ -917,8 +922,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
     s = uw * invU
     if (det > 1e-9 && invE > 0) s = (s - ue * ew * invU * invE) / det
     // Segments that cross at a right angle are measured at the end that is deeper.
-    t = best < -1e-6 && det > 0.999999 ? deepest : clampToUnit((ue * clampToUnit(s) - ew) * invE)
-    s = clampToUnit((uw + ue * t) * invU)
+    t = best < -1e-6 && det > 0.999999 ? deepest : clamp((ue * clamp(s, -1, 1) - ew) * invE, -1, 1)
+    s = clamp((uw + ue * t) * invU, -1, 1)
     const dx = wx + ex * t - ux * s
     const dy = wy + ey * t - uy * s
     const distance = Math.sqrt(dx * dx + dy * dy)
@@ -981,10 +986,6 @@ function collide(bodies: Bodies, a: number, b: number): void {
  */
 function isEnd(t: number): boolean {
   return Math.abs(t) > 0.999999
-}
-
-function clampToUnit(t: number): number {
-  return t > 1 ? 1 : Math.max(t, -1)
 }
 
 // solver/contact: pairs that may touch, kept from step to step ──────────────────────────────────────────────
@@ -1282,17 +1283,19 @@ function separationBound(simulation: Simulation, c: number): number {
   return simulation.contacts.data[c * CONTACT + SEPARATION] - shiftOf(simulation, c)
 }
 
-/** px, separation of contact `c` that its bodies may close in `seconds`. */
-function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: number): number {
+/** px, the widest separation that contact `c` may close in the coming sub-step. */
+function closingDistance({ bodies, contacts, h }: Simulation, c: number): number {
   const { state: s, shape } = bodies
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   return (
-    seconds *
-    (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
-      Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
-      shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
-      shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
+    SPECULATIVE_DISTANCE +
+    LOOKAHEAD *
+      h *
+      (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
+        Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
+        shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
+        shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
   )
 }
 
@@ -1633,13 +1636,12 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
     const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
     const rollingImpulse = last - share * (freeSpin + last)
-    motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
+    motion[m + ROLLING_IMPULSE] = clamp(rollingImpulse, -most, most)
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
-    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
-    changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
+    changed[i] = speedOf(bodies, i) > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -1668,9 +1670,8 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
     motion[m + WARM_X] += dvx
     motion[m + WARM_Y] += dvy
     motion[m + WARM_SPIN] += dSpin
-    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speedOf(bodies, i) - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }
   return active
@@ -2032,7 +2033,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
     kept[n] = state[s]
     state[s] += time * (state[s + VX] + (0.5 * time * gainOf(simulation, i, n % 3)) / h)
   }
-  manifold[WIDEST] = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
+  manifold[WIDEST] = closingDistance(simulation, c)
   manifold[LEAD] = 0
   updateContact(simulation, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
@@ -2109,7 +2110,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
       if (other === c) continue
-      const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
+      const way = closingDistance(simulation, other)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
       // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
@@ -2147,7 +2148,7 @@ function updateContacts(simulation: Simulation): void {
       if (due[c] > -Infinity && (moved[a] | moved[b]) === 0) continue
     } else if (motion[a * MOTION + HORIZON] + motion[b * MOTION + HORIZON] + SPECULATIVE_DISTANCE < due[c])
       continue
-    const way = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
+    const way = closingDistance(simulation, c)
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
       const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
@@ -2290,7 +2291,7 @@ function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint):
   const { localX, localY } = joint
   joint.armX = motion[m + COS] * localX - motion[m + SIN] * localY
   joint.armY = motion[m + SIN] * localX + motion[m + COS] * localY
-  const x = Math.max(extents[X], Math.min(joint.x - joint.armX, width - extents[X]))
+  const x = clamp(joint.x - joint.armX, extents[X], width - extents[X])
   joint.targetX = joint.armX + x
   const y = Math.min(joint.y - joint.armY, height - extents[Y])
   joint.targetY = joint.armY + (ceiling ? Math.max(y, extents[Y]) : y)
@@ -2972,6 +2973,121 @@ function createWorld(options: WorldOptions) {
   }
 }
 
+// stage/props: what a caller may pass, and what holds instead ───────────────────────────────────────────────
+
+/** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
+const LIMITS = {
+  gravity: [GRAVITY, 20000],
+  bounce: [BOUNCE, 1],
+  friction: [FRICTION, 10],
+  stagger: [150, 60000],
+  push: [0, 1000],
+} as const
+
+/** A ref, as React and callers make them. */
+type Target = { readonly current: Element | null }
+
+/** The props that a caller has given to the stage, unchecked. */
+interface StageProps {
+  gravity?: number | Vector | undefined
+  ceiling: boolean
+  push?: number | undefined
+  obstacles?: Target | Target[] | undefined
+  bounce?: number | undefined
+  friction?: number | undefined
+  stagger?: number | undefined
+  interactive: boolean
+  upright: boolean
+  /** False: the first chips lie in the stage from the start. */
+  initial: boolean
+  onSettle?: (() => void) | undefined
+}
+
+/** The props that hold: checked, and none left out. */
+type Settings = Omit<StageProps, 'gravity'> & {
+  [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
+} & {
+  gravity: Vector
+  /** px/s², the length of `gravity`. */
+  pull: number
+}
+
+declare const process: { env: { NODE_ENV?: string } }
+
+const warned = new Set<string>()
+
+/** Tells a developer once what is wrong, why, and what to do. Bundlers drop the calls from production. */
+function warn(message: string) {
+  if (warned.has(message)) return
+  warned.add(message)
+  console.warn(`GravityStack: ${message}`)
+}
+
+/** A value as a warning shows it. Some symbols and objects can't be turned into text. */
+function written(value: unknown) {
+  try {
+    return typeof value === 'string' ? JSON.stringify(value) : String(value)
+  } catch {
+    return typeof value
+  }
+}
+
+/** The number that holds for what a caller gave. */
+function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
+  const [fallback, most] = LIMITS[name]
+  const result = within(value, 0, most, fallback)
+  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
+    warn(
+      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range${name === 'gravity' ? `, or { x, y }, each from -${most} to ${most}` : ''}, or leave ${name} out.`,
+    )
+  return result
+}
+
+/** px/s² to the right and downwards: a number is downwards. */
+function checkedGravity(value: unknown): Vector {
+  const { x, y } = Object(value) as Vector
+  if (x === undefined && y === undefined) return { x: 0, y: checkedNumber('gravity', value) }
+  const [, most] = LIMITS.gravity
+  const vector = { x: within(x, -most, most, 0), y: within(y, -most, most, 0) }
+  if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
+    warn(
+      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number from 0 to ${most}.`,
+    )
+  return vector
+}
+
+/** The settings that hold for what a caller gave. */
+function checkedProps(given: StageProps): Settings {
+  const settings = { ...given } as Settings
+  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
+    settings[name] = !!given[name]
+    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
+      warn(
+        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+      )
+  }
+  for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
+    settings[name] = checkedNumber(name, given[name])
+  const { x, y } = checkedGravity(given.gravity)
+  settings.gravity = { x, y }
+  settings.pull = Math.hypot(x, y)
+  // All that falls up would leave for good.
+  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
+    warn(
+      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
+    )
+  settings.ceiling ||= y < 0
+  if (typeof given.onSettle !== 'function') {
+    settings.onSettle = undefined
+    // `ready && save` is how people leave a callback out.
+    if (process.env.NODE_ENV !== 'production' && given.onSettle)
+      warn(
+        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is called. Pass a function, or leave onSettle out.`,
+      )
+  }
+  return settings
+}
+
 // stage/release: where and when each chip starts ────────────────────────────────────────────────────────────
 
 // Each chip starts at the same place and time for the same stage and chips, in every browser. So this module
@@ -3291,13 +3407,13 @@ function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
 /** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
 function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-  for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+  root.querySelectorAll('[loading=lazy]').forEach((lazy) => {
     lazy.setAttribute('loading', 'eager')
+  })
   const added: Chip[] = []
   const gone = new Map(chips)
   chips.clear()
-  for (const element of Array.from(root.children) as HTMLElement[]) {
-    if (!element.matches('[data-slot]:not([data-static])')) continue
+  root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
     let chip = gone.get(element)
     if (!chip) {
       chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
@@ -3305,14 +3421,14 @@ function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
     }
     gone.delete(element)
     chips.set(element, chip)
-  }
+  })
   return { added, gone: Array.from(gone.values()) }
 }
 
 // stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
 
 /** The chips that wait for their release, and the stage's clock, which the releases go by. */
-function createReleaseQueue() {
+function createReleaseQueue(settings: Settings) {
   let count = 0
   /** s, the earliest time of the next release to be planned. */
   let slot = 0
@@ -3320,10 +3436,10 @@ function createReleaseQueue() {
   let idleSince: number | undefined
 
   function schedule(chip: Chip) {
-    const { chips, clock, stagger } = queue
+    const { chips, clock } = queue
     // Nobody can use a chip with the focus while it waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
-    slot = Math.max(slot, clock) + stagger / 1000
+    slot = Math.max(slot, clock) + settings.stagger / 1000
     let place = chips.length
     while (place > 0 && chips[place - 1]!.due > chip.due) place--
     chips.splice(place, 0, chip)
@@ -3337,8 +3453,6 @@ function createReleaseQueue() {
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,
-    /** ms between two releases. */
-    stagger: 0,
     /** Another number each time that a chip came, went, changed or got another time. */
     revision: 0,
 
@@ -3373,7 +3487,7 @@ function createReleaseQueue() {
       queue.chips = []
       // Counted from the last release: counted from now, a stagger that changes again and again would put the
       // next one off for ever.
-      slot = Math.max(0, queue.latest + queue.stagger / 1000)
+      slot = Math.max(0, queue.latest + settings.stagger / 1000)
       waiting.forEach(schedule)
     },
 
@@ -3492,122 +3606,6 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
 }
 
 type LookAhead<T extends Release> = ReturnType<typeof createLookAhead<T>>
-
-// stage/props: what a caller may pass, and what holds instead ───────────────────────────────────────────────
-
-/** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
-const LIMITS = {
-  gravity: [GRAVITY, 20000],
-  bounce: [BOUNCE, 1],
-  friction: [FRICTION, 10],
-  stagger: [150, 60000],
-  push: [0, 1000],
-} as const
-
-/** A ref, as React and callers make them. */
-type Target = { readonly current: Element | null }
-
-/** The props that a caller has given to the stage, unchecked. */
-interface StageProps {
-  gravity?: number | Vector | undefined
-  ceiling: boolean
-  push?: number | undefined
-  obstacles?: Target | Target[] | undefined
-  bounce?: number | undefined
-  friction?: number | undefined
-  stagger?: number | undefined
-  interactive: boolean
-  upright: boolean
-  /** False: the first chips lie in the stage from the start. */
-  initial: boolean
-  onSettle?: (() => void) | undefined
-}
-
-/** The props that hold: checked, and none left out. */
-type Settings = Omit<StageProps, 'gravity'> & {
-  [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
-} & {
-  gravity: Vector
-  /** px/s², the length of `gravity`. */
-  pull: number
-}
-
-declare const process: { env: { NODE_ENV?: string } }
-
-const warned = new Set<string>()
-
-/** Tells a developer once what is wrong, why, and what to do. Bundlers drop the calls from production. */
-function warn(message: string) {
-  if (warned.has(message)) return
-  warned.add(message)
-  console.warn(`GravityStack: ${message}`)
-}
-
-/** A value as a warning shows it. Some symbols and objects can't be turned into text. */
-function written(value: unknown) {
-  try {
-    return typeof value === 'string' ? JSON.stringify(value) : String(value)
-  } catch {
-    return typeof value
-  }
-}
-
-/** The number that holds for what a caller gave. */
-function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
-  const [fallback, most] = LIMITS[name]
-  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
-  if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
-    warn(
-      `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range${name === 'gravity' ? `, or { x, y }, each from -${most} to ${most}` : ''}, or leave ${name} out.`,
-    )
-  return result
-}
-
-/** px/s² to the right and downwards: a number is downwards. */
-function checkedGravity(value: unknown): Vector {
-  const { x, y } = Object(value) as Vector
-  if (x === undefined && y === undefined) return { x: 0, y: checkedNumber('gravity', value) }
-  const [, most] = LIMITS.gravity
-  const part = (n: unknown) => (Number.isFinite(n) ? Math.min(Math.max(n as number, -most), most) : 0)
-  const vector = { x: part(x), y: part(y) }
-  if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
-    warn(
-      `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number from 0 to ${most}.`,
-    )
-  return vector
-}
-
-/** The settings that hold for what a caller gave. */
-function checkedProps(given: StageProps): Settings {
-  const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
-    settings[name] = !!given[name]
-    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
-      warn(
-        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
-      )
-  }
-  for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
-    settings[name] = checkedNumber(name, given[name])
-  const { x, y } = checkedGravity(given.gravity)
-  settings.gravity = { x, y }
-  settings.pull = Math.hypot(x, y)
-  // All that falls up would leave for good.
-  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
-    warn(
-      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
-    )
-  settings.ceiling ||= y < 0
-  if (typeof given.onSettle !== 'function') {
-    settings.onSettle = undefined
-    // `ready && save` is how people leave a callback out.
-    if (process.env.NODE_ENV !== 'production' && given.onSettle)
-      warn(
-        `onSettle is ${written(given.onSettle)}, which can’t be called, so nothing is called. Pass a function, or leave onSettle out.`,
-      )
-  }
-  return settings
-}
 
 // stage/context: what the parts of a stage share ────────────────────────────────────────────────────────────
 
@@ -3760,7 +3758,7 @@ function createFrameLoop(view: View, tick: (seconds: number) => void) {
     const time = Number(view.document.timeline.currentTime)
     const seconds = (time - (last ?? time)) / 1000
     last = time
-    tick(Math.min(Math.max(seconds, 0), LONGEST_FRAME))
+    tick(within(seconds, 0, LONGEST_FRAME, 0))
   }
 
   /**
@@ -4838,7 +4836,7 @@ function followHover(on: Listen, context: Context, pile: StagePile, { isLive }: 
     if (x < 0 || y < 0 || x > context.width || y > context.height) return
     last = known
     if (!before) return
-    const time = Math.min(Math.max(seconds - before.seconds, BRIEFEST), LONGEST)
+    const time = within(seconds - before.seconds, BRIEFEST, LONGEST, LONGEST)
     pile.touch()
     pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, time)
     context.update()
@@ -4878,7 +4876,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     pointers.recapture()
     update()
   })
-  const queue = createReleaseQueue()
+  const queue = createReleaseQueue(settings)
   const lookAhead = createLookAhead<Chip>((chip) => {
     if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
   })
@@ -4971,7 +4969,6 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     setProps(props: StageProps) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
-      queue.stagger = settings.stagger
       const differs = (name: keyof Settings) => settings[name] !== before[name]
       if (listening) {
         if (differs('interactive') || differs('push')) listen()

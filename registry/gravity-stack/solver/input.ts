@@ -1,3 +1,5 @@
+import { clamp } from './math'
+
 export interface Vector {
   x: number
   y: number
@@ -70,13 +72,13 @@ export interface Grab {
 export const FAR = 1e6
 
 /** `value`, or `otherwise` if it is no finite number. */
-export function finite(value: number | undefined, otherwise = 0): number {
+export function finite(value: unknown, otherwise = 0): number {
   return typeof value === 'number' && value - value === 0 ? value : otherwise
 }
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
-export function within(value: number | undefined, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
+export function within(value: unknown, least: number, most: number, otherwise: number): number {
+  return clamp(finite(value, otherwise), least, most)
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */

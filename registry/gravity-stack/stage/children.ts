@@ -10,13 +10,13 @@ export function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
 /** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
 export function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-  for (const lazy of Array.from(root.querySelectorAll('[loading=lazy]')))
+  root.querySelectorAll('[loading=lazy]').forEach((lazy) => {
     lazy.setAttribute('loading', 'eager')
+  })
   const added: Chip[] = []
   const gone = new Map(chips)
   chips.clear()
-  for (const element of Array.from(root.children) as HTMLElement[]) {
-    if (!element.matches('[data-slot]:not([data-static])')) continue
+  root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
     let chip = gone.get(element)
     if (!chip) {
       chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
@@ -24,6 +24,6 @@ export function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
     }
     gone.delete(element)
     chips.set(element, chip)
-  }
+  })
   return { added, gone: Array.from(gone.values()) }
 }

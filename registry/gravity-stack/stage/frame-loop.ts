@@ -1,4 +1,5 @@
 import { cancelFrame, frame } from 'motion'
+import { within } from '../solver/input'
 import type { View } from './context'
 
 /** s, the longest time that one frame simulates: after a longer gap the pile goes on where it was (D-065). */
@@ -20,7 +21,7 @@ export function createFrameLoop(view: View, tick: (seconds: number) => void) {
     const time = Number(view.document.timeline.currentTime)
     const seconds = (time - (last ?? time)) / 1000
     last = time
-    tick(Math.min(Math.max(seconds, 0), LONGEST_FRAME))
+    tick(within(seconds, 0, LONGEST_FRAME, 0))
   }
 
   /**

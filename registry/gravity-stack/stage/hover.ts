@@ -1,3 +1,4 @@
+import { within } from '../solver/input'
 import type { Context } from './context'
 import type { Lifecycle } from './lifecycle'
 import type { Listen } from './listeners'
@@ -27,7 +28,7 @@ export function followHover(on: Listen, context: Context, pile: StagePile, { isL
     if (x < 0 || y < 0 || x > context.width || y > context.height) return
     last = known
     if (!before) return
-    const time = Math.min(Math.max(seconds - before.seconds, BRIEFEST), LONGEST)
+    const time = within(seconds - before.seconds, BRIEFEST, LONGEST, LONGEST)
     pile.touch()
     pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, time)
     context.update()

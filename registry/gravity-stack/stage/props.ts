@@ -1,5 +1,5 @@
 import { BOUNCE, FRICTION, GRAVITY } from '../solver/constants'
-import type { Vector } from '../solver/input'
+import { type Vector, within } from '../solver/input'
 
 /** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
 export const LIMITS = {
@@ -61,7 +61,7 @@ function written(value: unknown) {
 /** The number that holds for what a caller gave. */
 function checkedNumber(name: keyof typeof LIMITS, value: unknown) {
   const [fallback, most] = LIMITS[name]
-  const result = Number.isFinite(value) ? Math.min(Math.max(value as number, 0), most) : fallback
+  const result = within(value, 0, most, fallback)
   if (process.env.NODE_ENV !== 'production' && value !== undefined && result !== value)
     warn(
       `${name} is ${written(value)}, which is not a number from 0 to ${most}, so ${result} stands in for it. Pass a number in that range${name === 'gravity' ? `, or { x, y }, each from -${most} to ${most}` : ''}, or leave ${name} out.`,
@@ -74,8 +74,7 @@ function checkedGravity(value: unknown): Vector {
   const { x, y } = Object(value) as Vector
   if (x === undefined && y === undefined) return { x: 0, y: checkedNumber('gravity', value) }
   const [, most] = LIMITS.gravity
-  const part = (n: unknown) => (Number.isFinite(n) ? Math.min(Math.max(n as number, -most), most) : 0)
-  const vector = { x: part(x), y: part(y) }
+  const vector = { x: within(x, -most, most, 0), y: within(y, -most, most, 0) }
   if (process.env.NODE_ENV !== 'production' && (vector.x !== x || vector.y !== y))
     warn(
       `gravity is { x: ${written(x)}, y: ${written(y)} }, which is not two numbers from -${most} to ${most}, so { x: ${vector.x}, y: ${vector.y} } stands in for it. Pass both, or one number from 0 to ${most}.`,

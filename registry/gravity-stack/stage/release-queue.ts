@@ -1,9 +1,10 @@
 import { STEP } from '../solver/constants'
 import type { Chip } from './chip'
+import type { Settings } from './props'
 import { releaseTime } from './release'
 
 /** The chips that wait for their release, and the stage's clock, which the releases go by. */
-export function createReleaseQueue() {
+export function createReleaseQueue(settings: Settings) {
   let count = 0
   /** s, the earliest time of the next release to be planned. */
   let slot = 0
@@ -11,10 +12,10 @@ export function createReleaseQueue() {
   let idleSince: number | undefined
 
   function schedule(chip: Chip) {
-    const { chips, clock, stagger } = queue
+    const { chips, clock } = queue
     // Nobody can use a chip with the focus while it waits unseen.
     chip.due = chip.element.matches(':focus-within') ? clock : Math.max(releaseTime(chip.order, slot), clock)
-    slot = Math.max(slot, clock) + stagger / 1000
+    slot = Math.max(slot, clock) + settings.stagger / 1000
     let place = chips.length
     while (place > 0 && chips[place - 1]!.due > chip.due) place--
     chips.splice(place, 0, chip)
@@ -28,8 +29,6 @@ export function createReleaseQueue() {
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,
-    /** ms between two releases. */
-    stagger: 0,
     /** Another number each time that a chip came, went, changed or got another time. */
     revision: 0,
 
@@ -64,7 +63,7 @@ export function createReleaseQueue() {
       queue.chips = []
       // Counted from the last release: counted from now, a stagger that changes again and again would put the
       // next one off for ever.
-      slot = Math.max(0, queue.latest + queue.stagger / 1000)
+      slot = Math.max(0, queue.latest + settings.stagger / 1000)
       waiting.forEach(schedule)
     },
 

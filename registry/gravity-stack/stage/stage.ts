@@ -47,7 +47,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     pointers.recapture()
     update()
   })
-  const queue = createReleaseQueue()
+  const queue = createReleaseQueue(settings)
   const lookAhead = createLookAhead<Chip>((chip) => {
     if (Number.isNaN(chip.radius)) measureRadius(chip, changes)
   })
@@ -140,7 +140,6 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     setProps(props: StageProps) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
-      queue.stagger = settings.stagger
       const differs = (name: keyof Settings) => settings[name] !== before[name]
       if (listening) {
         if (differs('interactive') || differs('push')) listen()
