@@ -603,15 +603,6 @@ interface WorldOptions {
   bounce?: number
   /** Coulomb coefficient, 0 or more. */
   friction?: number
-  /** 1/s, drag of the air on velocity and on spin. */
-  linearDamping?: number
-  angularDamping?: number
-  /** px/s of approach below which nothing bounces. */
-  bounceThreshold?: number
-  /** `false` keeps every body awake, for measuring. */
-  sleep?: boolean
-  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
-  substeps?: number
 }
 
 interface BodyOptions {
@@ -2468,7 +2459,7 @@ function setGravity(simulation: Simulation, given: number | Vector | undefined):
 }
 
 /** What of a world may be changed while it lives. */
-type Change = Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>
+type Change = Omit<WorldOptions, 'width' | 'height'>
 
 /** Changes gravity, ceiling, bounce or friction; wakes everything. */
 function configure(simulation: Simulation, change: Change): void {
@@ -2512,7 +2503,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
-  bodies.held[i] = bodies.asleep[i] = bodies.undrawn[i] = 0
+  bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
   if (isObstacleBody(bodies, i)) bodies.staticCount++
@@ -2531,7 +2522,7 @@ function removeBody(simulation: Simulation, i: number): void {
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
   bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
-  bodies.alive[i] = 0
+  bodies.alive[i] = bodies.undrawn[i] = 0
   simulation.freeSlots.push(i)
 }
 
@@ -2822,24 +2813,21 @@ type World = ReturnType<typeof createWorld>
  * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
  */
 function createWorld(options: WorldOptions) {
-  const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const scene = new Simulation()
-  const { bodies, impactRegime } = scene
-  scene.substeps = substeps
+  const { bodies } = scene
+  scene.substeps = SUBSTEPS
   scene.left = 0
-  scene.h = STEP / substeps
-  scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
-  scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
-  impactRegime.relaxation = 1
+  scene.h = STEP / SUBSTEPS
+  scene.air = dampingOver(LINEAR_DAMPING, scene.h)
+  scene.spinAir = dampingOver(ANGULAR_DAMPING, scene.h)
+  scene.impactRegime.relaxation = 1
   scene.gravity[Y] = GRAVITY
-  setGravity(scene, options.gravity)
-  scene.bounce = within(options.bounce, 0, 1, BOUNCE)
-  scene.friction = within(options.friction, 0, 100, FRICTION)
-  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
-  scene.sleeps = options.sleep !== false
-  scene.ceiling = options.ceiling === true
+  scene.bounce = BOUNCE
+  scene.friction = FRICTION
+  scene.threshold = BOUNCE_THRESHOLD
   addWalls(scene)
   enclose(scene, sizeOf(options.width), sizeOf(options.height))
+  configure(scene, options)
 
   return {
     /**
@@ -2951,12 +2939,12 @@ function createWorld(options: WorldOptions) {
     /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const { state, before, undrawn } = bodies
+      // Share of the step that is not simulated yet: what moves is drawn so much behind.
+      const behind = 1 - within(scene.left / STEP, 0, 1, 0)
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
-        if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
+        if (undrawn[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
         undrawn[i] = asleep ? 0 : 1
-        // Share of the step that is not simulated yet: what moves is drawn so much behind.
-        const behind = asleep ? 0 : 1 - within(scene.left / STEP, 0, 1, 0)
         const s = i * STATE
         const b = i * 3
         const x = state[s + X] - behind * (state[s + X] - before[b])
@@ -3059,13 +3047,12 @@ function checkedGravity(value: unknown): Vector {
 /** The settings that hold for what a caller gave. */
 function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
-    settings[name] = !!given[name]
-    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
-      warn(
-        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
-      )
-  }
+  if (process.env.NODE_ENV !== 'production')
+    for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const)
+      if (typeof given[name] !== 'boolean')
+        warn(
+          `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+        )
   for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
   const { x, y } = checkedGravity(given.gravity)

@@ -1,4 +1,6 @@
-import type { WorldOptions } from './solver/input'
+import { ANGULAR_DAMPING, BOUNCE_THRESHOLD, LINEAR_DAMPING, STEP, SUBSTEPS } from './solver/constants'
+import { type WorldOptions as StageOptions, within } from './solver/input'
+import { dampingOver, MAX_DAMPING } from './solver/math'
 import {
   ARM_NB,
   ARM_TB,
@@ -22,9 +24,21 @@ import {
 } from './solver/state'
 import { createWorld as createBareWorld } from './solver/world'
 
-export type { BodyOptions, Grab, Motion, Reading, WorldOptions } from './solver/input'
+export type { BodyOptions, Grab, Motion, Reading } from './solver/input'
 
 export type World = ReturnType<typeof createWorld>
+
+export interface WorldOptions extends StageOptions {
+  /** 1/s, drag of the air on velocity and on spin. */
+  linearDamping?: number
+  angularDamping?: number
+  /** px/s of approach below which nothing bounces. */
+  bounceThreshold?: number
+  /** `false` keeps every body awake, for measuring. */
+  sleep?: boolean
+  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
+  substeps?: number
+}
 
 /** A pair of bodies that touch, by their ids. */
 export interface Contact {
@@ -40,7 +54,14 @@ export interface Contact {
  */
 export function createWorld(options: WorldOptions) {
   const world = createBareWorld(options)
-  const { bodies, contacts, work } = world.scene
+  const { scene } = world
+  const { bodies, contacts, work } = scene
+  scene.substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
+  scene.h = STEP / scene.substeps
+  scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
+  scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
+  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
+  scene.sleeps = options.sleep !== false
   const { step } = world
   let acted = false
 

@@ -17,15 +17,6 @@ export interface WorldOptions {
   bounce?: number
   /** Coulomb coefficient, 0 or more. */
   friction?: number
-  /** 1/s, drag of the air on velocity and on spin. */
-  linearDamping?: number
-  angularDamping?: number
-  /** px/s of approach below which nothing bounces. */
-  bounceThreshold?: number
-  /** `false` keeps every body awake, for measuring. */
-  sleep?: boolean
-  /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
-  substeps?: number
 }
 
 export interface BodyOptions {

@@ -21,7 +21,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
-  bodies.held[i] = bodies.asleep[i] = bodies.undrawn[i] = 0
+  bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
   if (isObstacleBody(bodies, i)) bodies.staticCount++
@@ -40,7 +40,7 @@ export function removeBody(simulation: Simulation, i: number): void {
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
   bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
-  bodies.alive[i] = 0
+  bodies.alive[i] = bodies.undrawn[i] = 0
   simulation.freeSlots.push(i)
 }
 

@@ -51,7 +51,7 @@ function setCeiling(simulation: Simulation, closed: boolean): void {
 }
 
 /** Sets gravity, px/s²: downwards, or to the right and downwards. A part that is left out stays as it is. */
-export function setGravity(simulation: Simulation, given: number | Vector | undefined): void {
+function setGravity(simulation: Simulation, given: number | Vector | undefined): void {
   const { gravity } = simulation
   const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
   gravity[X] = within(x, -1e5, 1e5, gravity[X])
@@ -60,7 +60,7 @@ export function setGravity(simulation: Simulation, given: number | Vector | unde
 }
 
 /** What of a world may be changed while it lives. */
-export type Change = Partial<Pick<WorldOptions, 'gravity' | 'ceiling' | 'bounce' | 'friction'>>
+export type Change = Omit<WorldOptions, 'width' | 'height'>
 
 /** Changes gravity, ceiling, bounce or friction; wakes everything. */
 export function configure(simulation: Simulation, change: Change): void {

@@ -21,12 +21,12 @@ import {
   within,
 } from './input'
 import { makeRoomAtOnce } from './make-room'
-import { dampingOver, MAX_DAMPING } from './math'
+import { dampingOver } from './math'
 import { addBody, placeBody, removeBody, reshapeBody, type Shape } from './population'
 import { pushBodies } from './push'
 import { ANGLE, FIRST_CHIP, Simulation, SPIN, STATE, VX, VY, X, Y } from './state'
 import { step } from './step'
-import { addWalls, type Change, configure, enclose, setGravity, wakeAll } from './surroundings'
+import { addWalls, type Change, configure, enclose, wakeAll } from './surroundings'
 
 export type World = ReturnType<typeof createWorld>
 
@@ -35,24 +35,21 @@ export type World = ReturnType<typeof createWorld>
  * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
  */
 export function createWorld(options: WorldOptions) {
-  const substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   const scene = new Simulation()
-  const { bodies, impactRegime } = scene
-  scene.substeps = substeps
+  const { bodies } = scene
+  scene.substeps = SUBSTEPS
   scene.left = 0
-  scene.h = STEP / substeps
-  scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
-  scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
-  impactRegime.relaxation = 1
+  scene.h = STEP / SUBSTEPS
+  scene.air = dampingOver(LINEAR_DAMPING, scene.h)
+  scene.spinAir = dampingOver(ANGULAR_DAMPING, scene.h)
+  scene.impactRegime.relaxation = 1
   scene.gravity[Y] = GRAVITY
-  setGravity(scene, options.gravity)
-  scene.bounce = within(options.bounce, 0, 1, BOUNCE)
-  scene.friction = within(options.friction, 0, 100, FRICTION)
-  scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
-  scene.sleeps = options.sleep !== false
-  scene.ceiling = options.ceiling === true
+  scene.bounce = BOUNCE
+  scene.friction = FRICTION
+  scene.threshold = BOUNCE_THRESHOLD
   addWalls(scene)
   enclose(scene, sizeOf(options.width), sizeOf(options.height))
+  configure(scene, options)
 
   return {
     /**
@@ -164,12 +161,12 @@ export function createWorld(options: WorldOptions) {
     /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const { state, before, undrawn } = bodies
+      // Share of the step that is not simulated yet: what moves is drawn so much behind.
+      const behind = 1 - within(scene.left / STEP, 0, 1, 0)
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
-        if (undrawn[i] === 0 || bodies.alive[i] === 0) continue
+        if (undrawn[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
         undrawn[i] = asleep ? 0 : 1
-        // Share of the step that is not simulated yet: what moves is drawn so much behind.
-        const behind = asleep ? 0 : 1 - within(scene.left / STEP, 0, 1, 0)
         const s = i * STATE
         const b = i * 3
         const x = state[s + X] - behind * (state[s + X] - before[b])
