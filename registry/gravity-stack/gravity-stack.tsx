@@ -82,8 +82,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
   actionsRef?: React.Ref<GravityStackActions> | undefined
 }
 
-/** Holds a text or a portal, so that React gives it a key by its place among the children. */
-const Words = ({ children }: { children: React.ReactNode }) => <>{children}</>
+/** Marks a text or a portal, so that React gives it a key by its place among the children; never rendered. */
+const Words = (_: { children: React.ReactNode }) => null
 
 /** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
