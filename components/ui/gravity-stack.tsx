@@ -301,8 +301,6 @@ const SHAPE = 5
  * out in braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 class Bodies {
-  /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
-  staticCount = PUSHER
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
   count = FIRST_CHIP
   state: Float64Array = new Float64Array(FIRST_CHIP * STATE)
@@ -1478,16 +1476,17 @@ function wakeAlone(bodies: Bodies, i: number): void {
   bodies.awake[bodies.awakeCount++] = i
 }
 
-/** Wakes body `i` and all that touch it, whether they carry anything or not. */
-function wakeTouching(simulation: Simulation, i: number): void {
+/** Body `i` is changed from outside: wakes it and all that touch it, whether they carry anything or not. */
+function disturb(simulation: Simulation, i: number): void {
   const { head, next, pair, points } = simulation.contacts
+  simulation.revision++
   wake(simulation, i)
   for (let edge = head[i]; edge >= 0; edge = next[edge])
     if (points[edge >> 1] > 0) wake(simulation, pair[edge ^ 1])
 }
 
 function anyAsleep({ bodies }: Simulation): boolean {
-  return bodies.awakeCount + bodies.staticCount < bodies.orderCount
+  return bodies.asleep.includes(1)
 }
 
 /**
@@ -2506,8 +2505,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
-  if (isObstacleBody(bodies, i)) bodies.staticCount++
-  else wakeAlone(bodies, i)
+  if (!isObstacleBody(bodies, i)) wakeAlone(bodies, i)
   welcome(simulation, i)
   return i
 }
@@ -2515,9 +2513,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
 /** Takes body `i` out; what leaned on it wakes. */
 function removeBody(simulation: Simulation, i: number): void {
   const { bodies, contacts, joints } = simulation
-  simulation.revision++
-  wakeTouching(simulation, i)
-  if (isObstacleBody(bodies, i)) bodies.staticCount--
+  disturb(simulation, i)
   for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === i) joints.splice(n, 1)
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
@@ -2528,8 +2524,7 @@ function removeBody(simulation: Simulation, i: number): void {
 
 /** Moves body `i` to where and as fast as is given; what leaned on it wakes. */
 function placeBody(simulation: Simulation, i: number, motion: Motion): void {
-  simulation.revision++
-  wakeTouching(simulation, i)
+  disturb(simulation, i)
   setMotion(simulation, i, motion)
   welcome(simulation, i)
 }
@@ -2537,8 +2532,7 @@ function placeBody(simulation: Simulation, i: number, motion: Motion): void {
 /** Gives body `i` a new size (px) in place; what it touches wakes. */
 function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
   const { bodies } = simulation
-  simulation.revision++
-  wakeTouching(simulation, i)
+  disturb(simulation, i)
   setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
   welcome(simulation, i)
   simulation.cramped = WEDGED_STEPS
@@ -2760,8 +2754,7 @@ function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
     within(y, -FAR, FAR, bodies.state[s + Y]),
   )
   if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
-    simulation.revision++
-    wakeTouching(simulation, i)
+    disturb(simulation, i)
     bodies.held[i]++
     // What is taken as it comes in has a mass from now on.
     updateEntry(simulation, i)

@@ -3,7 +3,7 @@ import { checkContacts } from './contact'
 import { updateEntry } from './entry'
 import { FAR, type Grab, within } from './input'
 import { createJoint, movePointer, throwBody } from './mouse-joint'
-import { wakeTouching } from './sleep'
+import { disturb } from './sleep'
 import { type Simulation, STATE, X, Y } from './state'
 
 /** Takes hold of body `i` at the point (x, y) of the stage, px; of one that is gone nothing comes. */
@@ -17,8 +17,7 @@ export function grab(simulation: Simulation, i: number, x: number, y: number): G
     within(y, -FAR, FAR, bodies.state[s + Y]),
   )
   if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
-    simulation.revision++
-    wakeTouching(simulation, i)
+    disturb(simulation, i)
     bodies.held[i]++
     // What is taken as it comes in has a mass from now on.
     updateEntry(simulation, i)

@@ -5,7 +5,7 @@ import { removeContact, resetContacts } from './contact'
 import { updateEntry } from './entry'
 import { type BodyOptions, FAR, finite, type Motion, sizeOf, within } from './input'
 import { grow } from './math'
-import { wake, wakeAlone, wakeTouching } from './sleep'
+import { disturb, wake, wakeAlone } from './sleep'
 import { ANGLE, FIRST_CHIP, INV_MASS, type Simulation, SPIN, STATE, VX, VY, X, Y } from './state'
 
 /** Adds a body and returns its id. */
@@ -24,8 +24,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   bodies.held[i] = bodies.asleep[i] = 0
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
-  if (isObstacleBody(bodies, i)) bodies.staticCount++
-  else wakeAlone(bodies, i)
+  if (!isObstacleBody(bodies, i)) wakeAlone(bodies, i)
   welcome(simulation, i)
   return i
 }
@@ -33,9 +32,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
 /** Takes body `i` out; what leaned on it wakes. */
 export function removeBody(simulation: Simulation, i: number): void {
   const { bodies, contacts, joints } = simulation
-  simulation.revision++
-  wakeTouching(simulation, i)
-  if (isObstacleBody(bodies, i)) bodies.staticCount--
+  disturb(simulation, i)
   for (let n = joints.length - 1; n >= 0; n--) if (joints[n]!.body === i) joints.splice(n, 1)
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
@@ -46,8 +43,7 @@ export function removeBody(simulation: Simulation, i: number): void {
 
 /** Moves body `i` to where and as fast as is given; what leaned on it wakes. */
 export function placeBody(simulation: Simulation, i: number, motion: Motion): void {
-  simulation.revision++
-  wakeTouching(simulation, i)
+  disturb(simulation, i)
   setMotion(simulation, i, motion)
   welcome(simulation, i)
 }
@@ -55,8 +51,7 @@ export function placeBody(simulation: Simulation, i: number, motion: Motion): vo
 /** Gives body `i` a new size (px) in place; what it touches wakes. */
 export function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
   const { bodies } = simulation
-  simulation.revision++
-  wakeTouching(simulation, i)
+  disturb(simulation, i)
   setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
   welcome(simulation, i)
   simulation.cramped = WEDGED_STEPS

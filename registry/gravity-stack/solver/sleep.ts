@@ -95,16 +95,17 @@ export function wakeAlone(bodies: Bodies, i: number): void {
   bodies.awake[bodies.awakeCount++] = i
 }
 
-/** Wakes body `i` and all that touch it, whether they carry anything or not. */
-export function wakeTouching(simulation: Simulation, i: number): void {
+/** Body `i` is changed from outside: wakes it and all that touch it, whether they carry anything or not. */
+export function disturb(simulation: Simulation, i: number): void {
   const { head, next, pair, points } = simulation.contacts
+  simulation.revision++
   wake(simulation, i)
   for (let edge = head[i]; edge >= 0; edge = next[edge])
     if (points[edge >> 1] > 0) wake(simulation, pair[edge ^ 1])
 }
 
 export function anyAsleep({ bodies }: Simulation): boolean {
-  return bodies.awakeCount + bodies.staticCount < bodies.orderCount
+  return bodies.asleep.includes(1)
 }
 
 /**

@@ -78,8 +78,6 @@ export const SHAPE = 5
  * out in braces when it makes the second one, and throws all code away that was compiled for the first.
  */
 export class Bodies {
-  /** Static bodies in `order`: floor, walls, ceiling and obstacles. */
-  staticCount = PUSHER
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
   count = FIRST_CHIP
   state: Float64Array = new Float64Array(FIRST_CHIP * STATE)
