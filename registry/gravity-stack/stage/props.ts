@@ -85,12 +85,13 @@ function checkedGravity(value: unknown): Vector {
 /** The settings that hold for what a caller gave. */
 export function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  if (process.env.NODE_ENV !== 'production')
-    for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const)
-      if (typeof given[name] !== 'boolean')
-        warn(
-          `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
-        )
+  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
+    settings[name] = !!given[name]
+    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
+      warn(
+        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+      )
+  }
   for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
   const { x, y } = checkedGravity(given.gravity)
