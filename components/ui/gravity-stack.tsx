@@ -579,9 +579,6 @@ function dampingOver(damping: number, h: number): Damping {
   return { fade, reach: reach * h, fall: fall * h * h }
 }
 
-/** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
-const MAX_DAMPING = 0.5 / STEP
-
 // solver/input: what callers of the world pass, and what holds instead of what makes no sense ───────────────
 
 interface Vector {

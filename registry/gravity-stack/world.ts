@@ -1,6 +1,6 @@
 import { ANGULAR_DAMPING, BOUNCE_THRESHOLD, LINEAR_DAMPING, STEP, SUBSTEPS } from './solver/constants'
 import { type WorldOptions as StageOptions, within } from './solver/input'
-import { dampingOver, MAX_DAMPING } from './solver/math'
+import { dampingOver } from './solver/math'
 import {
   ARM_NB,
   ARM_TB,
@@ -39,6 +39,9 @@ export interface WorldOptions extends StageOptions {
   /** Most sub-steps of a step of 1/60 s, 1..64; a world that rests takes one. 6 if left out. */
   substeps?: number
 }
+
+/** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
+export const MAX_DAMPING = 0.5 / STEP
 
 /** A pair of bodies that touch, by their ids. */
 export interface Contact {

@@ -1,9 +1,10 @@
 import { describe, expect, it } from 'vitest'
 import { massOf } from '../../../scenes/references'
 import { seeded } from '../../../scenes/seeded'
+import { MAX_DAMPING } from '../world'
 import { setShape } from './body'
 import { STEP } from './constants'
-import { dampingOver, MAX_DAMPING, updateRotation } from './math'
+import { dampingOver, updateRotation } from './math'
 import { ANGLE, Bodies, COS, INV_INERTIA, INV_MASS, SIN, STATE } from './state'
 
 /** Area and second moment as the solver has them, for density 1. */

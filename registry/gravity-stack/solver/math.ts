@@ -1,4 +1,3 @@
-import { STEP } from './constants'
 import { ANGLE, type Bodies, COS, type Damping, MOTION, ROTATED_TO, SIN, STATE } from './state'
 
 /** `value` brought between `least` and `most`. */
@@ -58,6 +57,3 @@ export function dampingOver(damping: number, h: number): Damping {
   }
   return { fade, reach: reach * h, fall: fall * h * h }
 }
-
-/** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
-export const MAX_DAMPING = 0.5 / STEP
