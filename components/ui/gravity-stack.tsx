@@ -521,11 +521,6 @@ class Simulation {
 
 // solver/math: rotation and damping, the same bits in every engine ──────────────────────────────────────────
 
-/** `value` brought between `least` and `most`. */
-function clamp(value: number, least: number, most: number): number {
-  return Math.max(least, Math.min(most, value))
-}
-
 /** Makes every array of `owner` twice as long. */
 function grow(owner: object): void {
   const named = owner as Record<string, Int32Array>
@@ -650,7 +645,7 @@ function finite(value: unknown, otherwise = 0): number {
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 function within(value: unknown, least: number, most: number, otherwise: number): number {
-  return clamp(finite(value, otherwise), least, most)
+  return Math.max(least, Math.min(most, finite(value, otherwise)))
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */
@@ -908,8 +903,8 @@ function collide(bodies: Bodies, a: number, b: number): void {
     s = uw * invU
     if (det > 1e-9 && invE > 0) s = (s - ue * ew * invU * invE) / det
     // Segments that cross at a right angle are measured at the end that is deeper.
-    t = best < -1e-6 && det > 0.999999 ? deepest : clamp((ue * clamp(s, -1, 1) - ew) * invE, -1, 1)
-    s = clamp((uw + ue * t) * invU, -1, 1)
+    t = best < -1e-6 && det > 0.999999 ? deepest : clampToUnit((ue * clampToUnit(s) - ew) * invE)
+    s = clampToUnit((uw + ue * t) * invU)
     const dx = wx + ex * t - ux * s
     const dy = wy + ey * t - uy * s
     const distance = Math.sqrt(dx * dx + dy * dy)
@@ -972,6 +967,10 @@ function collide(bodies: Bodies, a: number, b: number): void {
  */
 function isEnd(t: number): boolean {
   return Math.abs(t) > 0.999999
+}
+
+function clampToUnit(t: number): number {
+  return t > 1 ? 1 : Math.max(t, -1)
 }
 
 // solver/contact: pairs that may touch, kept from step to step ──────────────────────────────────────────────
@@ -1269,19 +1268,17 @@ function separationBound(simulation: Simulation, c: number): number {
   return simulation.contacts.data[c * CONTACT + SEPARATION] - shiftOf(simulation, c)
 }
 
-/** px, the widest separation that contact `c` may close in the coming sub-step. */
-function closingDistance({ bodies, contacts, h }: Simulation, c: number): number {
+/** px, separation of contact `c` that its bodies may close in `seconds`. */
+function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: number): number {
   const { state: s, shape } = bodies
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   return (
-    SPECULATIVE_DISTANCE +
-    LOOKAHEAD *
-      h *
-      (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
-        Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
-        shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
-        shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
+    seconds *
+    (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
+      Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
+      shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
+      shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
   )
 }
 
@@ -1623,12 +1620,13 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
     const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
     const rollingImpulse = last - share * (freeSpin + last)
-    motion[m + ROLLING_IMPULSE] = clamp(rollingImpulse, -most, most)
+    motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
-    changed[i] = speedOf(bodies, i) > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
+    changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -1657,8 +1655,9 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
     motion[m + WARM_X] += dvx
     motion[m + WARM_Y] += dvy
     motion[m + WARM_SPIN] += dSpin
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speedOf(bodies, i) - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }
   return active
@@ -2020,7 +2019,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
     kept[n] = state[s]
     state[s] += time * (state[s + VX] + (0.5 * time * gainOf(simulation, i, n % 3)) / h)
   }
-  manifold[WIDEST] = closingDistance(simulation, c)
+  manifold[WIDEST] = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
   manifold[LEAD] = 0
   updateContact(simulation, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
@@ -2097,7 +2096,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
       if (other === c) continue
-      const way = closingDistance(simulation, other)
+      const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
       // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
@@ -2135,7 +2134,7 @@ function updateContacts(simulation: Simulation): void {
       if (due[c] > -Infinity && (moved[a] | moved[b]) === 0) continue
     } else if (motion[a * MOTION + HORIZON] + motion[b * MOTION + HORIZON] + SPECULATIVE_DISTANCE < due[c])
       continue
-    const way = closingDistance(simulation, c)
+    const way = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
       const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
@@ -2278,7 +2277,7 @@ function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint):
   const { localX, localY } = joint
   joint.armX = motion[m + COS] * localX - motion[m + SIN] * localY
   joint.armY = motion[m + SIN] * localX + motion[m + COS] * localY
-  const x = clamp(joint.x - joint.armX, extents[X], width - extents[X])
+  const x = Math.max(extents[X], Math.min(joint.x - joint.armX, width - extents[X]))
   joint.targetX = joint.armX + x
   const y = Math.min(joint.y - joint.armY, height - extents[Y])
   joint.targetY = joint.armY + (ceiling ? Math.max(y, extents[Y]) : y)

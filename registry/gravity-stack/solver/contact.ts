@@ -1,5 +1,5 @@
 import { isObstacleBody, isStatic } from './body'
-import { GRAZE, LOOKAHEAD, SLOW_CONTACT, SPECULATIVE_DISTANCE } from './constants'
+import { GRAZE, SLOW_CONTACT } from './constants'
 import {
   ACROSS,
   ARM_AX,
@@ -359,18 +359,16 @@ export function separationBound(simulation: Simulation, c: number): number {
   return simulation.contacts.data[c * CONTACT + SEPARATION] - shiftOf(simulation, c)
 }
 
-/** px, the widest separation that contact `c` may close in the coming sub-step. */
-export function closingDistance({ bodies, contacts, h }: Simulation, c: number): number {
+/** px, separation of contact `c` that its bodies may close in `seconds`. */
+export function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: number): number {
   const { state: s, shape } = bodies
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   return (
-    SPECULATIVE_DISTANCE +
-    LOOKAHEAD *
-      h *
-      (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
-        Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
-        shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
-        shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
+    seconds *
+    (Math.abs(s[b * STATE + VX] - s[a * STATE + VX]) +
+      Math.abs(s[b * STATE + VY] - s[a * STATE + VY]) +
+      shape[a * SHAPE + CORE] * Math.abs(s[a * STATE + SPIN]) +
+      shape[b * SHAPE + CORE] * Math.abs(s[b * STATE + SPIN]))
   )
 }

@@ -1,5 +1,3 @@
-import { clamp } from './math'
-
 export interface Vector {
   x: number
   y: number
@@ -69,7 +67,7 @@ export function finite(value: unknown, otherwise = 0): number {
 
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 export function within(value: unknown, least: number, most: number, otherwise: number): number {
-  return clamp(finite(value, otherwise), least, most)
+  return Math.max(least, Math.min(most, finite(value, otherwise)))
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */

@@ -1,4 +1,4 @@
-import { capSpeed, speedOf } from './body'
+import { capSpeed } from './body'
 import {
   GRAVITY,
   LINEAR_SLOP,
@@ -12,7 +12,6 @@ import {
   SLOW_CONTACT,
   WRONG_WARM_START,
 } from './constants'
-import { clamp } from './math'
 import {
   ANGLE,
   CORE,
@@ -114,12 +113,13 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const last = motion[m + ROLLING_IMPULSE] * supported[i]
     const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
     const rollingImpulse = last - share * (freeSpin + last)
-    motion[m + ROLLING_IMPULSE] = clamp(rollingImpulse, -most, most)
+    motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
     motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
     state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
-    changed[i] = speedOf(bodies, i) > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
+    changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }
 }
 
@@ -148,8 +148,9 @@ export function integratePositions({ bodies, gravity, h, pull }: Simulation): nu
     motion[m + WARM_X] += dvx
     motion[m + WARM_Y] += dvy
     motion[m + WARM_SPIN] += dSpin
+    const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speedOf(bodies, i) - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }
   return active

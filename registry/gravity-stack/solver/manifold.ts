@@ -1,5 +1,5 @@
 import { GRAZE } from './constants'
-import { clamp, updateRotation } from './math'
+import { updateRotation } from './math'
 import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, VX, VY, X, Y } from './state'
 
 /**
@@ -157,8 +157,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
     s = uw * invU
     if (det > 1e-9 && invE > 0) s = (s - ue * ew * invU * invE) / det
     // Segments that cross at a right angle are measured at the end that is deeper.
-    t = best < -1e-6 && det > 0.999999 ? deepest : clamp((ue * clamp(s, -1, 1) - ew) * invE, -1, 1)
-    s = clamp((uw + ue * t) * invU, -1, 1)
+    t = best < -1e-6 && det > 0.999999 ? deepest : clampToUnit((ue * clampToUnit(s) - ew) * invE)
+    s = clampToUnit((uw + ue * t) * invU)
     const dx = wx + ex * t - ux * s
     const dy = wy + ey * t - uy * s
     const distance = Math.sqrt(dx * dx + dy * dy)
@@ -221,4 +221,8 @@ export function collide(bodies: Bodies, a: number, b: number): void {
  */
 function isEnd(t: number): boolean {
   return Math.abs(t) > 0.999999
+}
+
+function clampToUnit(t: number): number {
+  return t > 1 ? 1 : Math.max(t, -1)
 }

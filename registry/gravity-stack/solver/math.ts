@@ -1,10 +1,5 @@
 import { ANGLE, type Bodies, COS, type Damping, MOTION, ROTATED_TO, SIN, STATE } from './state'
 
-/** `value` brought between `least` and `most`. */
-export function clamp(value: number, least: number, most: number): number {
-  return Math.max(least, Math.min(most, value))
-}
-
 /** Makes every array of `owner` twice as long. */
 export function grow(owner: object): void {
   const named = owner as Record<string, Int32Array>

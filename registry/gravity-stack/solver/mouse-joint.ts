@@ -8,7 +8,7 @@ import {
   THROW_WINDOW,
   WALL_OVERLAP,
 } from './constants'
-import { clamp, updateRotation } from './math'
+import { updateRotation } from './math'
 import {
   ANGLE,
   type Bodies,
@@ -81,7 +81,7 @@ function aim({ bodies, ceiling, width, height }: Simulation, joint: MouseJoint):
   const { localX, localY } = joint
   joint.armX = motion[m + COS] * localX - motion[m + SIN] * localY
   joint.armY = motion[m + SIN] * localX + motion[m + COS] * localY
-  const x = clamp(joint.x - joint.armX, extents[X], width - extents[X])
+  const x = Math.max(extents[X], Math.min(joint.x - joint.armX, width - extents[X]))
   joint.targetX = joint.armX + x
   const y = Math.min(joint.y - joint.armY, height - extents[Y])
   joint.targetY = joint.armY + (ceiling ? Math.max(y, extents[Y]) : y)

@@ -39,7 +39,7 @@ export function updateContacts(simulation: Simulation): void {
       if (due[c] > -Infinity && (moved[a] | moved[b]) === 0) continue
     } else if (motion[a * MOTION + HORIZON] + motion[b * MOTION + HORIZON] + SPECULATIVE_DISTANCE < due[c])
       continue
-    const way = closingDistance(simulation, c)
+    const way = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
       const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE

@@ -1,5 +1,12 @@
 import { isStatic } from './body'
-import { BLOW_SPEED, IMPACT_ITERATIONS, IMPACT_TOGETHER, LEAST_TOLERANCE } from './constants'
+import {
+  BLOW_SPEED,
+  IMPACT_ITERATIONS,
+  IMPACT_TOGETHER,
+  LEAST_TOLERANCE,
+  LOOKAHEAD,
+  SPECULATIVE_DISTANCE,
+} from './constants'
 import {
   closingDistance,
   rateGain,
@@ -127,7 +134,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
     kept[n] = state[s]
     state[s] += time * (state[s + VX] + (0.5 * time * gainOf(simulation, i, n % 3)) / h)
   }
-  manifold[WIDEST] = closingDistance(simulation, c)
+  manifold[WIDEST] = SPECULATIVE_DISTANCE + closingDistance(simulation, c, LOOKAHEAD * h)
   manifold[LEAD] = 0
   updateContact(simulation, c)
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
@@ -204,7 +211,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
       const other = edge >> 1
       if (other === c) continue
-      const way = closingDistance(simulation, other)
+      const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
       // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
