@@ -37,7 +37,7 @@ export const RESTING_SPEED = 0.4
  */
 export const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
-export const ITERATIONS = 8
+export const ITERATIONS = 16
 /**
  * Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a
  * frame.
@@ -71,7 +71,7 @@ export const LOOKAHEAD = 1.25
  * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
  * (D-022).
  */
-export const RECYCLE_DISTANCE = 0.1
+export const RECYCLE_DISTANCE = 0.25
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 export const WALL_RECYCLE_DISTANCE = 0.001
 
@@ -127,7 +127,9 @@ export const LINEAR_SLOP = 0.004
 export const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 export const MAX_CORRECTION = 4
-/** px of overlap from which slow contacts are corrected again within a step. */
+/**
+ * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group awake.
+ */
 export const DEEP_OVERLAP = 0.02
 /**
  * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
@@ -144,7 +146,7 @@ export const CORRECTIONS = 64
  * there (D-013).
  */
 export const WALL_OVERLAP = 0.9
-/** px of overlap from which two chips count as wedged: there is room only upwards. */
+/** px of overlap from which two chips count as wedged, and px by which one of them goes up in a step. */
 export const WEDGED_OVERLAP = 0.5
 /**
  * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls

@@ -29,7 +29,7 @@ export function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < PASSES && correctPositions(simulation, false)) passes++
+    while (passes < PASSES && correctPositions(simulation)) passes++
     visits -= (passes + 1) * nearCount
     // A row between two walls that come nearer has room only upwards.
     if (passes === PASSES) liftWedged(simulation)

@@ -1,12 +1,14 @@
 import { extents, halfExtents, speedOf } from './body'
 import {
   CORRECTION,
+  CORRECTIONS,
   DEEP_OVERLAP,
   LINEAR_SLOP,
   MAX_CORRECTION,
   SLOW_CONTACT,
   WALL_OVERLAP,
   WEDGED_OVERLAP,
+  WEDGED_STEPS,
 } from './constants'
 import { separationAndRate } from './contact'
 import { updateEntry } from './entry'
@@ -18,7 +20,6 @@ import {
   FIRST_CHIP,
   INV_INERTIA,
   INV_MASS,
-  NORMAL_K,
   NORMAL_X,
   NORMAL_Y,
   SECOND,
@@ -35,16 +36,23 @@ import {
 function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
-  const s = bodies.state
+  const { state: s, stays } = bodies
   const d = contacts.data
   const k = c * CONTACT
-  const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / d[p + NORMAL_K]
+  let inverseMass = 0
   for (let side = 0; side < 2; side++) {
-    const i = contacts.pair[2 * c + side] * STATE
+    const i = contacts.pair[2 * c + side]
+    const arm = d[p + ARM_NA + side]
+    inverseMass += (1 - stays[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
+  }
+  const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / inverseMass
+  for (let side = 0; side < 2; side++) {
+    const i = contacts.pair[2 * c + side]
+    if (stays[i] > 0) continue
     const by = side > 0 ? push : -push
-    s[i + X] += d[k + NORMAL_X] * s[i + INV_MASS] * by
-    s[i + Y] += d[k + NORMAL_Y] * s[i + INV_MASS] * by
-    s[i + ANGLE] += s[i + INV_INERTIA] * d[p + ARM_NA + side] * by
+    s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
+    s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
+    s[i * STATE + ANGLE] += s[i * STATE + INV_INERTIA] * d[p + ARM_NA + side] * by
   }
   return gap < -DEEP_OVERLAP
 }
@@ -58,27 +66,45 @@ export function correctEarly(simulation: Simulation, c: number, p: number): void
   correctPoint(simulation, c, p)
 }
 
-/**
- * Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was
- * deep.
- */
-export function correctPositions(simulation: Simulation, slowOnly: boolean): boolean {
-  const { contacts, cramped } = simulation
-  const { live, liveCount, points } = contacts
+/** Corrects the live contacts once; returns whether one that is to be corrected again was deep. */
+export function correctPositions(simulation: Simulation): boolean {
+  const { live, liveCount, pair, points } = simulation.contacts
+  const { stays } = simulation.bodies
   let deep = false
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
-    if (slowOnly && !isSlow(simulation, c)) continue
+    if ((stays[pair[2 * c]] & stays[pair[2 * c + 1]]) > 0) continue
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (correctPoint(simulation, c, p) && (cramped > 0 || isSlow(simulation, c))) deep = true
+      if (correctPoint(simulation, c, p) && isCorrectedAgain(simulation, c)) deep = true
     }
   }
   return deep
 }
 
-function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
-  return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
+/**
+ * Corrects all contacts once, then slow bodies again: a jam comes apart, while what still moves would be
+ * stirred. Slow bodies move out of fast ones too, which stay: a jam would press its overlap in there.
+ */
+export function correctOverlaps(simulation: Simulation): void {
+  const { bodies } = simulation
+  const { awake, awakeCount, stays } = bodies
+  let deep = correctPositions(simulation)
+  if (deep) {
+    stays.fill(1)
+    for (let n = 0; n < awakeCount; n++) if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) stays[awake[n]] = 0
+  }
+  for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
+  stays.fill(0)
+  // What stays deep for long is wedged.
+  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
+  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
+}
+
+/** Whether contact `c` is slow, or room is being made: only then it may not stay deep. */
+function isCorrectedAgain({ bodies, contacts, cramped }: Simulation, c: number): boolean {
+  const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
+  return cramped > 0 || speed <= SLOW_CONTACT
 }
 
 /**
@@ -96,6 +122,7 @@ export function liftWedged(simulation: Simulation): void {
     const c = live[n]
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
+    if (!isCorrectedAgain(simulation, c)) continue
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= deepest) continue
@@ -105,7 +132,7 @@ export function liftWedged(simulation: Simulation): void {
     }
   }
   if (higher < 0) return
-  let lift = MAX_CORRECTION
+  let lift = WEDGED_OVERLAP
   if (density[lower] === Infinity) {
     // All the way: an obstacle would push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]

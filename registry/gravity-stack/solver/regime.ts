@@ -15,7 +15,7 @@ import { INV_MASS, type Simulation, STATE } from './state'
  *
  * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 8 contacts or fewer |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
  *
  * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
  * one hands an impulse on in tiny parts only.

@@ -201,8 +201,10 @@ function solveImpact(simulation: Simulation, c: number): void {
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
+    // Contacts of a wall that was marked would be looked at again for ever.
+    if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
-    if (!isStatic(bodies, i)) motion[i * MOTION + STRUCK_AT] = time
+    motion[i * MOTION + STRUCK_AT] = time
   }
   // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)

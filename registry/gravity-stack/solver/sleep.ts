@@ -1,5 +1,6 @@
 import { isStatic, speedOf } from './body'
 import {
+  DEEP_OVERLAP,
   LINEAR_SLOP,
   REST_DISTANCE,
   REST_FOLLOW,
@@ -18,6 +19,7 @@ import {
   EXTENT,
   MOTION,
   SECOND,
+  SEPARATION,
   SHAPE,
   type Simulation,
   SPIN,
@@ -31,7 +33,8 @@ import {
  * Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so
  * long enough.
  */
-export function updateSleep({ bodies, contacts, pull }: Simulation): void {
+export function updateSleep(simulation: Simulation): void {
+  const { bodies, contacts, pull } = simulation
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
@@ -62,6 +65,17 @@ export function updateSleep({ bodies, contacts, pull }: Simulation): void {
         groupRest[b] = rest[b * 4 + 3]
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
+  }
+  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected, for
+  // as long again at most, as chips that do not fit would never sleep.
+  for (let n = 0; n < contacts.nearCount; n++) {
+    const c = contacts.near[n]
+    const root = findGroup(parent, contacts.pair[2 * c + 1])
+    if (contacts.points[c] === 0 || groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    manifold[WIDEST] = SPECULATIVE_DISTANCE
+    manifold[LEAD] = 0
+    updateContact(simulation, c)
+    if (contacts.data[c * CONTACT + SEPARATION] < -2 * DEEP_OVERLAP) groupRest[root] = 0
   }
   bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {

@@ -1,18 +1,11 @@
 import { updatePairs } from './broad-phase'
-import {
-  BALANCED_HEIGHT,
-  CORRECTIONS,
-  ITERATIONS,
-  SPECULATIVE_DISTANCE,
-  UNEVEN_VISITS,
-  WEDGED_STEPS,
-} from './constants'
+import { BALANCED_HEIGHT, ITERATIONS, SPECULATIVE_DISTANCE, UNEVEN_VISITS } from './constants'
 import { normalImpulse, warmStart } from './contact'
 import { iterate } from './contact-solver'
 import { integratePositions, integrateVelocities, trackTravel } from './integrate'
 import { makeRoom } from './make-room'
 import { prepareJoint, solveJoint, warmStartJoint } from './mouse-joint'
-import { correctPositions, keepInside, liftWedged } from './position-correction'
+import { correctOverlaps, keepInside } from './position-correction'
 import { prepareContacts, updateContacts } from './prepare'
 import { chooseRegime } from './regime'
 import { solveImpacts } from './restitution'
@@ -130,16 +123,4 @@ function startWarm(simulation: Simulation): void {
     }
   }
   for (const joint of joints) warmStartJoint(bodies, joint)
-}
-
-/**
- * Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be
- * stirred.
- */
-function correctOverlaps(simulation: Simulation): void {
-  let deep = correctPositions(simulation, false)
-  for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation, true)
-  // What stays deep for long is wedged.
-  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
