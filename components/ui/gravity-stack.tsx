@@ -49,7 +49,7 @@ const RESTING_SPEED = 0.4
  */
 const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
-const ITERATIONS = 8
+const ITERATIONS = 16
 /**
  * Most visits of contacts in a sub-step where masses differ and ask for more iterations. More may stall a
  * frame.
@@ -83,7 +83,7 @@ const LOOKAHEAD = 1.25
  * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
  * (D-022).
  */
-const RECYCLE_DISTANCE = 0.1
+const RECYCLE_DISTANCE = 0.25
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 const WALL_RECYCLE_DISTANCE = 0.001
 
@@ -139,7 +139,9 @@ const LINEAR_SLOP = 0.004
 const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
-/** px of overlap from which slow contacts are corrected again within a step. */
+/**
+ * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group awake.
+ */
 const DEEP_OVERLAP = 0.02
 /**
  * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
@@ -156,7 +158,7 @@ const CORRECTIONS = 64
  * there (D-013).
  */
 const WALL_OVERLAP = 0.9
-/** px of overlap from which two chips count as wedged: there is room only upwards. */
+/** px of overlap from which two chips count as wedged, and px by which one of them goes up in a step. */
 const WEDGED_OVERLAP = 0.5
 /**
  * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls
@@ -317,6 +319,8 @@ class Bodies {
   asleep: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved noticeably since the last sub-step. */
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 while position correction leaves the body where it is. */
+  stays: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved since it was last drawn. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
@@ -1406,7 +1410,8 @@ function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
  * Counts how long each awake body has kept its place, then puts groups to sleep of which all have done so
  * long enough.
  */
-function updateSleep({ bodies, contacts, pull }: Simulation): void {
+function updateSleep(simulation: Simulation): void {
+  const { bodies, contacts, pull } = simulation
   const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
@@ -1437,6 +1442,17 @@ function updateSleep({ bodies, contacts, pull }: Simulation): void {
         groupRest[b] = rest[b * 4 + 3]
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
+  }
+  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected, for
+  // as long again at most, as chips that do not fit would never sleep.
+  for (let n = 0; n < contacts.nearCount; n++) {
+    const c = contacts.near[n]
+    const root = findGroup(parent, contacts.pair[2 * c + 1])
+    if (contacts.points[c] === 0 || groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    manifold[WIDEST] = SPECULATIVE_DISTANCE
+    manifold[LEAD] = 0
+    updateContact(simulation, c)
+    if (contacts.data[c * CONTACT + SEPARATION] < -2 * DEEP_OVERLAP) groupRest[root] = 0
   }
   bodies.awakeCount = 0
   for (let n = 0; n < count; n++) {
@@ -1527,7 +1543,7 @@ function gatherContacts(simulation: Simulation): void {
  *
  * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 8 contacts or fewer |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
  *
  * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
  * one hands an impulse on in tiny parts only.
@@ -1827,16 +1843,23 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
 function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
-  const s = bodies.state
+  const { state: s, stays } = bodies
   const d = contacts.data
   const k = c * CONTACT
-  const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / d[p + NORMAL_K]
+  let inverseMass = 0
   for (let side = 0; side < 2; side++) {
-    const i = contacts.pair[2 * c + side] * STATE
+    const i = contacts.pair[2 * c + side]
+    const arm = d[p + ARM_NA + side]
+    inverseMass += (1 - stays[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
+  }
+  const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / inverseMass
+  for (let side = 0; side < 2; side++) {
+    const i = contacts.pair[2 * c + side]
+    if (stays[i] > 0) continue
     const by = side > 0 ? push : -push
-    s[i + X] += d[k + NORMAL_X] * s[i + INV_MASS] * by
-    s[i + Y] += d[k + NORMAL_Y] * s[i + INV_MASS] * by
-    s[i + ANGLE] += s[i + INV_INERTIA] * d[p + ARM_NA + side] * by
+    s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
+    s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
+    s[i * STATE + ANGLE] += s[i * STATE + INV_INERTIA] * d[p + ARM_NA + side] * by
   }
   return gap < -DEEP_OVERLAP
 }
@@ -1850,27 +1873,45 @@ function correctEarly(simulation: Simulation, c: number, p: number): void {
   correctPoint(simulation, c, p)
 }
 
-/**
- * Corrects the live contacts, or the slow ones alone; returns whether one that is to be corrected again was
- * deep.
- */
-function correctPositions(simulation: Simulation, slowOnly: boolean): boolean {
-  const { contacts, cramped } = simulation
-  const { live, liveCount, points } = contacts
+/** Corrects the live contacts once; returns whether one that is to be corrected again was deep. */
+function correctPositions(simulation: Simulation): boolean {
+  const { live, liveCount, pair, points } = simulation.contacts
+  const { stays } = simulation.bodies
   let deep = false
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
-    if (slowOnly && !isSlow(simulation, c)) continue
+    if ((stays[pair[2 * c]] & stays[pair[2 * c + 1]]) > 0) continue
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (correctPoint(simulation, c, p) && (cramped > 0 || isSlow(simulation, c))) deep = true
+      if (correctPoint(simulation, c, p) && isCorrectedAgain(simulation, c)) deep = true
     }
   }
   return deep
 }
 
-function isSlow({ bodies, contacts }: Simulation, c: number): boolean {
-  return speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1]) <= SLOW_CONTACT
+/**
+ * Corrects all contacts once, then slow bodies again: a jam comes apart, while what still moves would be
+ * stirred. Slow bodies move out of fast ones too, which stay: a jam would press its overlap in there.
+ */
+function correctOverlaps(simulation: Simulation): void {
+  const { bodies } = simulation
+  const { awake, awakeCount, stays } = bodies
+  let deep = correctPositions(simulation)
+  if (deep) {
+    stays.fill(1)
+    for (let n = 0; n < awakeCount; n++) if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) stays[awake[n]] = 0
+  }
+  for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
+  stays.fill(0)
+  // What stays deep for long is wedged.
+  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
+  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
+}
+
+/** Whether contact `c` is slow, or room is being made: only then it may not stay deep. */
+function isCorrectedAgain({ bodies, contacts, cramped }: Simulation, c: number): boolean {
+  const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
+  return cramped > 0 || speed <= SLOW_CONTACT
 }
 
 /**
@@ -1888,6 +1929,7 @@ function liftWedged(simulation: Simulation): void {
     const c = live[n]
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
+    if (!isCorrectedAgain(simulation, c)) continue
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= deepest) continue
@@ -1897,7 +1939,7 @@ function liftWedged(simulation: Simulation): void {
     }
   }
   if (higher < 0) return
-  let lift = MAX_CORRECTION
+  let lift = WEDGED_OVERLAP
   if (density[lower] === Infinity) {
     // All the way: an obstacle would push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]
@@ -2086,8 +2128,10 @@ function solveImpact(simulation: Simulation, c: number): void {
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
+    // Contacts of a wall that was marked would be looked at again for ever.
+    if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
-    if (!isStatic(bodies, i)) motion[i * MOTION + STRUCK_AT] = time
+    motion[i * MOTION + STRUCK_AT] = time
   }
   // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
@@ -2202,7 +2246,7 @@ function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < PASSES && correctPositions(simulation, false)) passes++
+    while (passes < PASSES && correctPositions(simulation)) passes++
     visits -= (passes + 1) * nearCount
     // A row between two walls that come nearer has room only upwards.
     if (passes === PASSES) liftWedged(simulation)
@@ -2723,18 +2767,6 @@ function startWarm(simulation: Simulation): void {
     }
   }
   for (const joint of joints) warmStartJoint(bodies, joint)
-}
-
-/**
- * Corrects all contacts once, then slow ones again: a jam comes apart, while what still moves would be
- * stirred.
- */
-function correctOverlaps(simulation: Simulation): void {
-  let deep = correctPositions(simulation, false)
-  for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation, true)
-  // What stays deep for long is wedged.
-  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
 
 // solver/grab: a chip in a hand ─────────────────────────────────────────────────────────────────────────────
