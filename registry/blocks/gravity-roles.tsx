@@ -27,7 +27,10 @@ export function GravityRoles() {
         <p className="mt-3 max-w-xl text-pretty text-neutral-600 dark:text-neutral-400">
           We are twenty-four people who make planning tools. Dig through what we need.
         </p>
-        <GravityStack className="mt-6 h-[30rem] rounded-3xl bg-neutral-200/60 sm:h-96 dark:bg-neutral-900" stagger={140}>
+        <GravityStack
+          className="mt-6 h-[30rem] rounded-3xl bg-neutral-200/60 sm:h-96 dark:bg-neutral-900"
+          stagger={140}
+        >
           {roles.map(([role, place, colours]) => (
             <a
               key={role}
