@@ -23,9 +23,10 @@ export function lateScripts(folder) {
   }
 }
 
-// Next runs the scripts of __next_s before it starts the page, each in a task of its own. The empty one there
-// parts React's setup (instrumentation-client.ts) from that start: one task of 40 ms becomes two of 20.
+// Next waits for the scripts of __next_s before it starts the page. The empty one there parts React's setup
+// (instrumentation-client.ts) from that start: one task of 40 ms becomes two of 20. A timer would stop with a
+// page's clock.
 // Words wait for their font, so the first paint may be bare. A hidden tab paints nothing. Some browsers don't
 // tell when they paint: for them there is the timer.
 const loader = (scripts) =>
-  `{self.__next_s=[[0,{children:""}]];let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(seen=>seen.getEntriesByName("first-contentful-paint")[0]&&ask()).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`
+  `{self.__next_s=[["data:text/javascript,"]];let asked,ask=()=>{if(asked)return;asked=1;for(let src of ${JSON.stringify(scripts)})document.head.append(Object.assign(document.createElement("script"),{src,async:!0}))};document.hidden?ask():(new PerformanceObserver(seen=>seen.getEntriesByName("first-contentful-paint")[0]&&ask()).observe({type:"paint",buffered:!0}),setTimeout(ask,3e3))}`
