@@ -64,8 +64,8 @@ describe('what falls for long', () => {
 })
 
 describe('a thousand pills poured at once', () => {
-  // The bound is that of `npm run accept` for a thousand chips. These went 14 and 7 px deep when hits that never
-  // came put chips back, and go 5.1 and 1.3 px deep today.
+  // The bound is that of `npm run accept` for a thousand chips. These went 14 and 7 px deep when hits that
+  // never came put chips back, and go 5.1 and 1.3 px deep today.
   for (const seed of [13, 105])
     it(`go less than 6 px into each other as they land: seed ${seed}`, () => {
       const bounds = pourStage(1000)

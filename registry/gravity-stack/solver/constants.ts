@@ -128,7 +128,8 @@ export const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 export const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group awake.
+ * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group
+ * awake.
  */
 export const DEEP_OVERLAP = 0.02
 /**

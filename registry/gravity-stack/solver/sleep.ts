@@ -66,8 +66,8 @@ export function updateSleep(simulation: Simulation): void {
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
-  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected, for
-  // as long again at most, as chips that do not fit would never sleep.
+  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected,
+  // for as long again at most, as chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     const root = findGroup(parent, contacts.pair[2 * c + 1])
