@@ -140,7 +140,8 @@ const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group awake.
+ * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group
+ * awake.
  */
 const DEEP_OVERLAP = 0.02
 /**
@@ -1443,8 +1444,8 @@ function updateSleep(simulation: Simulation): void {
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
-  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected, for
-  // as long again at most, as chips that do not fit would never sleep.
+  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected,
+  // for as long again at most, as chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     const root = findGroup(parent, contacts.pair[2 * c + 1])
