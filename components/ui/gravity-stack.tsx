@@ -5111,7 +5111,7 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
 }
 
 /** Marks a text or a portal, so that React gives it a key by its place among the children; never rendered. */
-const Words = (_: { children: React.ReactNode }) => null
+const Words: React.FC<{ children: React.ReactNode }> = () => null
 
 /** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
