@@ -24,14 +24,7 @@ export default defineConfig({
   projects: [
     { name: 'component', testMatch: 'component-*.spec.ts', use: { baseURL: process.env.FIXTURES_URL } },
     { name: 'site', testIgnore: ['component-*.spec.ts', 'install/*.spec.ts'] },
-    {
-      name: 'install',
-      testMatch: 'install/*.spec.ts',
-      // More than twice the limit of a command.
-      timeout: 420_000,
-      // They download from others' servers, which sometimes stall. Nothing else is tried twice.
-      retries: 1,
-    },
+    { name: 'install', testMatch: 'install/*.spec.ts', timeout: 300_000 },
   ],
   webServer: [
     // Where it is served is in the environment by the time that the tests are read.

@@ -4,8 +4,8 @@ import { type CSSProperties, useEffect, useRef, useState } from 'react'
 import { at } from '@/lib/address'
 
 /**
- * A block in a frame of its own, so that its window is as wide as the frame. The frame is made when it is about
- * to be seen: an empty one costs as much as a small page, and holds up the page that is being read.
+ * A block in a frame of its own, so that its window is as wide as the frame. The frame is made when it is
+ * about to be seen: even an empty frame takes the browser as long as a small page.
  */
 export function BlockFrame({
   name,

@@ -14,8 +14,8 @@ const tabs = [
 ]
 
 /**
- * A block live, as wide as the page or as a phone, and its code, all in one box that keeps its height. Code is
- * fetched when it is first shown: that of twelve blocks in the page would be two thirds of it.
+ * A block live, as wide as the page or as a phone, and its code, all in one box that keeps its height. The
+ * code is fetched when it is first shown: the code of twelve blocks would be two thirds of the page.
  */
 export function BlockPreview({
   name,
@@ -80,7 +80,7 @@ export function BlockPreview({
           {source.html ? (
             <div
               className="absolute inset-0 [&>pre]:h-full"
-              // biome-ignore lint/security/noDangerouslySetInnerHtml: our own file, turned into HTML at build time
+              // biome-ignore lint/security/noDangerouslySetInnerHtml: HTML of our own, made by the build
               dangerouslySetInnerHTML={{ __html: source.html }}
             />
           ) : (

@@ -22,7 +22,8 @@ export function SearchOpener({
 }) {
   const box = useRef<HTMLDivElement>(null)
 
-  // In the task that brings the page alive: a passive effect comes later, and a key pressed before it is lost.
+  // A layout effect runs in the task in which React takes the page over. A passive effect would run later, and
+  // a key pressed before that would be lost.
   useLayoutEffect(() => {
     const dialog = box.current!.querySelector('dialog')!
     const toggle = () => {

@@ -21,8 +21,8 @@ type PileOptions = {
 export type Obstacle = { x: number; y: number; width: number; height: number; radius: number }
 
 /**
- * A chip on its way into the pile. `place` is its index among the shapes, `turn` (rad) is how far its words are
- * turned on its body, and `seen` says that it is in view, so that `turn` may no longer change.
+ * A chip on its way into the pile. `place` is its index among the shapes, `turn` (rad) is how far its words
+ * are turned on its body, and `seen` says that it is in view, so that `turn` may no longer change.
  */
 type Drop = Release & { place: number; turn: number; seen: boolean }
 

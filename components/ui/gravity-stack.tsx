@@ -320,8 +320,8 @@ class Bodies {
   asleep: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved noticeably since the last sub-step. */
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 while position correction leaves the body where it is. */
-  stays: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 while position correction may not move the body. */
+  immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved since it was last drawn. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
@@ -1444,12 +1444,13 @@ function updateSleep(simulation: Simulation): void {
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
-  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected,
-  // for as long again at most, as chips that do not fit would never sleep.
+  // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
+  // group awake to be corrected, for twice the time of rest at most: chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
+    if (contacts.points[c] === 0) continue
     const root = findGroup(parent, contacts.pair[2 * c + 1])
-    if (contacts.points[c] === 0 || groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    if (groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
     manifold[WIDEST] = SPECULATIVE_DISTANCE
     manifold[LEAD] = 0
     updateContact(simulation, c)
@@ -1844,19 +1845,19 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
 function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
-  const { state: s, stays } = bodies
+  const { state: s, immovable } = bodies
   const d = contacts.data
   const k = c * CONTACT
   let inverseMass = 0
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
     const arm = d[p + ARM_NA + side]
-    inverseMass += (1 - stays[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
+    inverseMass += (1 - immovable[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
   }
   const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / inverseMass
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
-    if (stays[i] > 0) continue
+    if (immovable[i] > 0) continue
     const by = side > 0 ? push : -push
     s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
     s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
@@ -1874,43 +1875,45 @@ function correctEarly(simulation: Simulation, c: number, p: number): void {
   correctPoint(simulation, c, p)
 }
 
-/** Corrects the live contacts once; returns whether one that is to be corrected again was deep. */
+/** Corrects the live contacts once; returns whether one of those that must separate was deep. */
 function correctPositions(simulation: Simulation): boolean {
   const { live, liveCount, pair, points } = simulation.contacts
-  const { stays } = simulation.bodies
+  const { immovable } = simulation.bodies
   let deep = false
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
-    if ((stays[pair[2 * c]] & stays[pair[2 * c + 1]]) > 0) continue
+    if ((immovable[pair[2 * c]] & immovable[pair[2 * c + 1]]) > 0) continue
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (correctPoint(simulation, c, p) && isCorrectedAgain(simulation, c)) deep = true
+      if (correctPoint(simulation, c, p) && mustSeparate(simulation, c)) deep = true
     }
   }
   return deep
 }
 
 /**
- * Corrects all contacts once, then slow bodies again: a jam comes apart, while what still moves would be
- * stirred. Slow bodies move out of fast ones too, which stay: a jam would press its overlap in there.
+ * Corrects all contacts once. While slow contacts are deep, slow bodies are corrected again, so that a jam
+ * comes apart. They move out of fast bodies as well, or the jam would press its overlap into those. Fast
+ * bodies are left where they are, or the pile would be stirred.
  */
 function correctOverlaps(simulation: Simulation): void {
   const { bodies } = simulation
-  const { awake, awakeCount, stays } = bodies
+  const { awake, awakeCount, immovable } = bodies
   let deep = correctPositions(simulation)
   if (deep) {
-    stays.fill(1)
-    for (let n = 0; n < awakeCount; n++) if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) stays[awake[n]] = 0
+    immovable.fill(1)
+    for (let n = 0; n < awakeCount; n++)
+      if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) immovable[awake[n]] = 0
+    for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
+    immovable.fill(0)
   }
-  for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
-  stays.fill(0)
   // What stays deep for long is wedged.
   simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
   if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
 
-/** Whether contact `c` is slow, or room is being made: only then it may not stay deep. */
-function isCorrectedAgain({ bodies, contacts, cramped }: Simulation, c: number): boolean {
+/** Whether contact `c` may not stay deep: its bodies are slow, or room is being made. */
+function mustSeparate({ bodies, contacts, cramped }: Simulation, c: number): boolean {
   const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
   return cramped > 0 || speed <= SLOW_CONTACT
 }
@@ -1930,7 +1933,7 @@ function liftWedged(simulation: Simulation): void {
     const c = live[n]
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
-    if (!isCorrectedAgain(simulation, c)) continue
+    if (!mustSeparate(simulation, c)) continue
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= deepest) continue

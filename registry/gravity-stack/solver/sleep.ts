@@ -66,12 +66,13 @@ export function updateSleep(simulation: Simulation): void {
       } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
     }
   }
-  // A manifold may lag: contacts are measured once more. An overlap keeps its group awake to be corrected,
-  // for as long again at most, as chips that do not fit would never sleep.
+  // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
+  // group awake to be corrected, for twice the time of rest at most: chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
+    if (contacts.points[c] === 0) continue
     const root = findGroup(parent, contacts.pair[2 * c + 1])
-    if (contacts.points[c] === 0 || groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    if (groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
     manifold[WIDEST] = SPECULATIVE_DISTANCE
     manifold[LEAD] = 0
     updateContact(simulation, c)

@@ -94,8 +94,8 @@ export class Bodies {
   asleep: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved noticeably since the last sub-step. */
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 while position correction leaves the body where it is. */
-  stays: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 while position correction may not move the body. */
+  immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body moved since it was last drawn. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
