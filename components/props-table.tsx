@@ -4,7 +4,15 @@ import { ScrollTable } from './scroll-table'
 
 /** JSDoc's words, with what stands in backticks as code. */
 const withCode = (words: string) =>
-  words.split('`').map((part, i) => (i % 2 === 0 ? typeset(part) : <code key={part}>{part}</code>))
+  words.split('`').map((part, i) =>
+    i % 2 === 0 ? (
+      typeset(part)
+    ) : (
+      <code key={part} className="whitespace-nowrap">
+        {part}
+      </code>
+    ),
+  )
 
 /** Generated from the JSDoc of `GravityStackProps` at build time. */
 export function PropsTable() {
