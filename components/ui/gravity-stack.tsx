@@ -1032,13 +1032,13 @@ function resetContact({ data, due, points }: Contacts, c: number): void {
   data[c * CONTACT + SEPARATION] = due[c] = -Infinity
 }
 
-/** Makes the contacts of body `i` anew at the next look at them, and its box if it is a chip. */
+/** Has the contacts of body `i` measured afresh, and its box as well if it is a chip. */
 function resetContacts(bodies: Bodies, contacts: Contacts, i: number): void {
   if (!isObstacleBody(bodies, i)) bodies.box[i * 4] = Infinity
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
 }
 
-/** Has the contacts of body `i` looked at again: it has a new velocity and has not moved. */
+/** Has the contacts of body `i` checked in the next sub-step: its velocity was set from outside. */
 function checkContacts({ due, head, next }: Contacts, i: number): void {
   for (let edge = head[i]; edge >= 0; edge = next[edge]) due[edge >> 1] = -Infinity
 }
@@ -1083,7 +1083,7 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vy = state[b * STATE + VY] - state[a * STATE + VY]
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
   const speed = Math.sqrt(vx * vx + vy * vy)
-  // Slow ones are pushed apart instead, or a jam would sleep as it is.
+  // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
   return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
 }
 
@@ -1233,10 +1233,7 @@ function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, a
   return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
 }
 
-/**
- * px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the
- * same.
- */
+/** px/s, `relativeGain` along the normal, at the point at place `p` of contact `c`. */
 function rateGain(simulation: Simulation, c: number, p: number): number {
   const { data: d, pair } = simulation.contacts
   const m = simulation.bodies.motion
@@ -1362,7 +1359,7 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
       if (box[j * 4] > box[i * 4 + 2]) break
       if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
       if (isStatic(bodies, i) && isStatic(bodies, j)) continue
-      // What is still coming in does so through the ceiling.
+      // A chip that has not entered the stage yet passes through the ceiling.
       if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
       // A wall keeps no list of its own.
       const lister = i < FIRST_CHIP ? j : i
@@ -1424,12 +1421,12 @@ function updateSleep(simulation: Simulation): void {
       Math.abs(state[s + X + 1] - rest[r + 1]) +
       shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - rest[r + 2])
     const moves = off > REST_DISTANCE || speedOf(bodies, i) > SLOW_CONTACT
-    // Creep too slow to be seen would keep some chip of a large pile awake: its place follows it.
+    // The place of rest follows the body slowly: else invisible creep would keep a large pile awake.
     for (let axis = 0; axis < 3; axis++)
       rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
     rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
     parent[i] = i
-    // Nothing rests on nothing, unless it floats.
+    // A body without a contact counts as at rest only where there is no gravity.
     groupRest[i] = pull === 0 ? rest[r + 3] : 0
   }
   for (let joining = 0; joining < 2; joining++) {
@@ -1571,12 +1568,10 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
 
 // solver/integrate: velocities and positions through a sub-step ─────────────────────────────────────────────
 
-/** Turn of a body whose contacts need no visit. */
+/** Value of `changed` for a body whose velocity has not changed: its contacts need no visit. */
 const NEVER = -0x40000000
 
-/**
- * Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it.
- */
+/** Updates the travel of each awake body, and bounds its travel in the coming sub-step. */
 function trackTravel({ bodies, h }: Simulation): void {
   const { state, motion, shape, moved, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
@@ -1608,7 +1603,7 @@ function trackTravel({ bodies, h }: Simulation): void {
 function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
-  // What nothing brakes in the air rolls for ever as well: so it is measured.
+  // A world without air drag, as exact test scenes use, has no rolling resistance either.
   const rolling = spinAir.fade < 1 ? ROLLING_RESISTANCE : 0
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
@@ -1621,16 +1616,15 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
     const warmY = motion[m + WARM_Y]
     const warmSpin = motion[m + WARM_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
-    // What comes in at its own speed is not pulled.
+    // A chip that enters the stage at `ENTRY_SPEED` is static, and gravity does not pull it.
     const pulled = state[s + INV_MASS] > 0 ? 1 : 0
     const gx = pulled * gravity[X]
     const gy = pulled * gravity[Y]
-    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the
-    // way.
+    // A constant force moves a body by half the sub-step times the velocity that it adds.
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
-    // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
-    // At rest a disc has twice as much, or a slope as steep as it is strong would let it creep for ever.
+    // Rolling resistance starts from its last impulse, or a disc on a slope would creep.
+    // A disc at rest has twice the resistance, or it would creep on a slope at the limit for ever.
     const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
     const round = shape[i * SHAPE + RADIUS] / extent
     const most = (rolling * (1 + slow * round) * (Math.abs(warmX) + Math.abs(warmY))) / extent
@@ -1664,7 +1658,7 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
     const dvx = state[s + VX] - motion[m + START_X]
     const dvy = state[s + VY] - motion[m + START_Y]
     const dSpin = state[s + SPIN] - motion[m + START_SPIN]
-    // Where the warm start was wrong nothing acted evenly: it counts for the way in full.
+    // A wrong warm start was no constant force: all of its velocity counts for the displacement.
     const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > wrong ? 0.5 * h : 0
     if (whole > 0) knocked[i] = 1
     state[s + X] += motion[m + DELTA_X] + h * dvx + whole * motion[m + WARM_X]
@@ -1694,7 +1688,7 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
 function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation
   const { tolerance, relaxation } = regime
-  // What nothing brakes in the air slides as Coulomb says: so it is measured.
+  // A world without air drag, as exact test scenes use, has Coulomb friction without stiction.
   const stiction = simulation.air.fade < 1 ? STICTION : 0
   const atRest = friction * (1 + stiction)
   const loss = (friction * stiction) / SLOW_CONTACT
@@ -1709,7 +1703,7 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
     const c = live[n] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    // Both changed before its last turn: the sign of the two at once, one branch instead of two.
+    // Neither body changed since the contact's last turn: one branch tests both signs.
     if (((changed[bodyA] - last) & (changed[bodyB] - last)) < 0) continue
     visits++
     const k = c * CONTACT
@@ -1780,7 +1774,7 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     const ima = s[a + INV_MASS]
-    // Nobody could predict a branch here. What is static never changes.
+    // Bit masks, as no CPU could predict a branch here. A static body never counts as changed.
     const changes = -(change > tolerance)
     changed[bodyA] += (turn - changed[bodyA]) & changes & -(ima > 0)
     changed[bodyB] += (turn - changed[bodyB]) & changes
@@ -1892,9 +1886,8 @@ function correctPositions(simulation: Simulation): boolean {
 }
 
 /**
- * Corrects all contacts once. While slow contacts are deep, slow bodies are corrected again, so that a jam
- * comes apart. They move out of fast bodies as well, or the jam would press its overlap into those. Fast
- * bodies are left where they are, or the pile would be stirred.
+ * Corrects all contacts once, then slow bodies alone while slow contacts overlap deeply: a jam comes apart.
+ * Fast bodies keep their poses in these passes, or the pile would be stirred.
  */
 function correctOverlaps(simulation: Simulation): void {
   const { bodies } = simulation
@@ -1907,21 +1900,18 @@ function correctOverlaps(simulation: Simulation): void {
     for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
     immovable.fill(0)
   }
-  // What stays deep for long is wedged.
+  // An overlap that stays deep for many steps is a wedge.
   simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
   if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
 
-/** Whether contact `c` may not stay deep: its bodies are slow, or room is being made. */
+/** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
 function mustSeparate({ bodies, contacts, cramped }: Simulation, c: number): boolean {
   const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
   return cramped > 0 || speed <= SLOW_CONTACT
 }
 
-/**
- * Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room
- * only upwards.
- */
+/** Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. */
 function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
@@ -1945,7 +1935,7 @@ function liftWedged(simulation: Simulation): void {
   if (higher < 0) return
   let lift = WEDGED_OVERLAP
   if (density[lower] === Infinity) {
-    // All the way: an obstacle would push it back down.
+    // The chip goes up to the obstacle's top at once: from inside, the obstacle could push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]
     for (const i of [higher, lower]) {
       halfExtents(bodies, i, 0, 0)
@@ -1955,7 +1945,7 @@ function liftWedged(simulation: Simulation): void {
   state[higher * STATE + Y] -= lift
 }
 
-/** Puts back what others have pressed into a wall, which gives way to nothing, and notes what has come in. */
+/** Puts chips that were pressed into a wall back inside, and notes chips that have entered the stage. */
 function keepInside(simulation: Simulation): void {
   const { bodies, ceiling, width, height } = simulation
   const { inside, state, awake, awakeCount } = bodies
@@ -2004,8 +1994,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
-    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will
-    // take it back.
+    // A stronger push is left over from a blow, and the solver will take it back.
     const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
@@ -2014,7 +2003,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0 || !(square > threshold * threshold)) continue
     const hit = Math.sqrt(square)
     const time = from + Math.min(rest, (2 * gap) / (hit - v))
-    // Of two ends the first to hit turns the chip: what the other does then is asked anew.
+    // The end that hits first turns the chip, so the other end is tested again after that impact.
     if (time > soonest + IMPACT_TOGETHER / hit) continue
     if (time < soonest - IMPACT_TOGETHER / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
     // A bounce so low that it would land again within the sub-step is left to rest.
@@ -2132,12 +2121,12 @@ function solveImpact(simulation: Simulation, c: number): void {
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
-    // Contacts of a wall that was marked would be looked at again for ever.
+    // A static body never counts as moved: `trackTravel` would not clear that again.
     if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
     motion[i * MOTION + STRUCK_AT] = time
   }
-  // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
+  // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
@@ -2147,7 +2136,7 @@ function solveImpact(simulation: Simulation, c: number): void {
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
-      // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
+      // A sleeper about to be hit wakes now: in the next sub-step the two would already overlap.
       if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }
   }
@@ -2186,7 +2175,7 @@ function updateContacts(simulation: Simulation): void {
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
       const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
-      // Where the two move alike, less of their travel counts.
+      // `shiftOf` counts relative motion only: bodies that travel together need no new manifold.
       const spare = (touching ? serves : contacts.data[c * CONTACT + SEPARATION]) - shiftOf(simulation, c)
       due[c] = travel + spare
       if (!(spare >= (touching ? 0 : way))) {
@@ -2217,7 +2206,7 @@ function prepareContacts(simulation: Simulation): void {
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       const gap = manifold[GAP_NOW]
-      // Of a contact that carries a load only a part, as all of it would chatter.
+      // A loaded contact may close only a part of its gap, or it would chatter.
       d[p + VELOCITY_BIAS] = gap > 0 ? ((d[p + NORMAL_IMPULSE] > 0 ? LOADED_CLOSING : 1) * gap) / h : 0
       if (gap < -LINEAR_SLOP) correctEarly(simulation, c, p)
     }
@@ -2227,12 +2216,12 @@ function prepareContacts(simulation: Simulation): void {
 
 // solver/make-room: after walls have moved or chips have grown ──────────────────────────────────────────────
 
-/** Corrections in a row: more would push along normals that no longer hold. */
+/** Correction passes per measurement: after more, the measured normals no longer hold. */
 const PASSES = CORRECTIONS / 4
 
 /**
- * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No
- * velocity changes, so that nothing is thrown. After a jump it takes some steps.
+ * Separates bodies that overlap since walls moved or chips grew, over several steps if need be. Velocities do
+ * not change, so nothing is thrown.
  */
 function makeRoom(simulation: Simulation): void {
   const { contacts } = simulation
@@ -2252,13 +2241,13 @@ function makeRoom(simulation: Simulation): void {
     let passes = 0
     while (passes < PASSES && correctPositions(simulation)) passes++
     visits -= (passes + 1) * nearCount
-    // A row between two walls that come nearer has room only upwards.
+    // Chips side by side between two walls that come nearer have room only above them.
     if (passes === PASSES) liftWedged(simulation)
     if (passes === 0) simulation.cramped = 0
   }
 }
 
-/** Makes room without a step: no time passes, and nothing else moves. */
+/** Makes room without a step: no time passes, and bodies that overlap nothing stay in place. */
 function makeRoomAtOnce(simulation: Simulation): void {
   const { state, before, count } = simulation.bodies
   simulation.revision++
@@ -2266,7 +2255,7 @@ function makeRoomAtOnce(simulation: Simulation): void {
     for (let i = FIRST_CHIP; i < count; i++)
       for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
   }
-  // What is drawn lies between two poses: both move by as much.
+  // A body is drawn between its last two poses, so both are shifted by the same displacement.
   shift(-1)
   makeRoom(simulation)
   keepInside(simulation)
@@ -2510,7 +2499,7 @@ function configure(simulation: Simulation, change: Change): void {
   const [oldX, oldY] = gravity
   setGravity(simulation, change.gravity)
   simulation.friction = within(change.friction, 0, 100, simulation.friction)
-  // What rests weighs as much more or less at once: else a pile hops.
+  // Impulses scale with the new weight at once, or a resting pile would hop.
   const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
   for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
     contacts.data[k + NORMAL_IMPULSE] *= share
@@ -2691,7 +2680,7 @@ function step(simulation: Simulation): void {
   chooseRegime(simulation)
   startWarm(simulation)
   for (let n = 0; n < substeps; n++) {
-    // What was knocked away in the last sub-step may have left its box, or be about to hit a sleeper.
+    // A body struck in the last sub-step may have left its box, or be about to hit a sleeper.
     if (n > 0 && (updatePairs(simulation) || anyAsleep(simulation))) gatherContacts(simulation)
     if (substep(simulation)) break
   }
@@ -2788,7 +2777,7 @@ function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
   if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
     disturb(simulation, i)
     bodies.held[i]++
-    // What is taken as it comes in has a mass from now on.
+    // A chip that is grabbed while it enters the stage is static no longer.
     updateEntry(simulation, i)
     joints.push(joint)
   }

@@ -87,7 +87,7 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
       if (box[j * 4] > box[i * 4 + 2]) break
       if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
       if (isStatic(bodies, i) && isStatic(bodies, j)) continue
-      // What is still coming in does so through the ceiling.
+      // A chip that has not entered the stage yet passes through the ceiling.
       if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
       // A wall keeps no list of its own.
       const lister = i < FIRST_CHIP ? j : i

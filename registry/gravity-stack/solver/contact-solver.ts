@@ -39,7 +39,7 @@ import {
 export function iterate(simulation: Simulation, regime: Regime, count: number, start: number): number {
   const { bodies, contacts, friction } = simulation
   const { tolerance, relaxation } = regime
-  // What nothing brakes in the air slides as Coulomb says: so it is measured.
+  // A world without air drag, as exact test scenes use, has Coulomb friction without stiction.
   const stiction = simulation.air.fade < 1 ? STICTION : 0
   const atRest = friction * (1 + stiction)
   const loss = (friction * stiction) / SLOW_CONTACT
@@ -54,7 +54,7 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
     const c = live[n] & INDEX
     const bodyA = pair[2 * c] & INDEX
     const bodyB = pair[2 * c + 1] & INDEX
-    // Both changed before its last turn: the sign of the two at once, one branch instead of two.
+    // Neither body changed since the contact's last turn: one branch tests both signs.
     if (((changed[bodyA] - last) & (changed[bodyB] - last)) < 0) continue
     visits++
     const k = c * CONTACT
@@ -125,7 +125,7 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
       spinB += iib * (nb1 * p1 + nb2 * p2)
     }
     const ima = s[a + INV_MASS]
-    // Nobody could predict a branch here. What is static never changes.
+    // Bit masks, as no CPU could predict a branch here. A static body never counts as changed.
     const changes = -(change > tolerance)
     changed[bodyA] += (turn - changed[bodyA]) & changes & -(ima > 0)
     changed[bodyB] += (turn - changed[bodyB]) & changes

@@ -118,13 +118,13 @@ export function resetContact({ data, due, points }: Contacts, c: number): void {
   data[c * CONTACT + SEPARATION] = due[c] = -Infinity
 }
 
-/** Makes the contacts of body `i` anew at the next look at them, and its box if it is a chip. */
+/** Has the contacts of body `i` measured afresh, and its box as well if it is a chip. */
 export function resetContacts(bodies: Bodies, contacts: Contacts, i: number): void {
   if (!isObstacleBody(bodies, i)) bodies.box[i * 4] = Infinity
   for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
 }
 
-/** Has the contacts of body `i` looked at again: it has a new velocity and has not moved. */
+/** Has the contacts of body `i` checked in the next sub-step: its velocity was set from outside. */
 export function checkContacts({ due, head, next }: Contacts, i: number): void {
   for (let edge = head[i]; edge >= 0; edge = next[edge]) due[edge >> 1] = -Infinity
 }
@@ -169,7 +169,7 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const vy = state[b * STATE + VY] - state[a * STATE + VY]
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
   const speed = Math.sqrt(vx * vx + vy * vy)
-  // Slow ones are pushed apart instead, or a jam would sleep as it is.
+  // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
   return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
 }
 
@@ -319,10 +319,7 @@ export function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: nu
   return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
 }
 
-/**
- * px/s, change over the sub-step of the rate at which the point at place `p` of contact `c` opens, by the
- * same.
- */
+/** px/s, `relativeGain` along the normal, at the point at place `p` of contact `c`. */
 export function rateGain(simulation: Simulation, c: number, p: number): number {
   const { data: d, pair } = simulation.contacts
   const m = simulation.bodies.motion

@@ -19,7 +19,7 @@ export function grab(simulation: Simulation, i: number, x: number, y: number): G
   if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
     disturb(simulation, i)
     bodies.held[i]++
-    // What is taken as it comes in has a mass from now on.
+    // A chip that is grabbed while it enters the stage is static no longer.
     updateEntry(simulation, i)
     joints.push(joint)
   }

@@ -46,12 +46,10 @@ import {
   Y,
 } from './state'
 
-/** Turn of a body whose contacts need no visit. */
+/** Value of `changed` for a body whose velocity has not changed: its contacts need no visit. */
 const NEVER = -0x40000000
 
-/**
- * Counts how far what is awake has travelled, and how far it may in the coming sub-step: contacts go by it.
- */
+/** Updates the travel of each awake body, and bounds its travel in the coming sub-step. */
 export function trackTravel({ bodies, h }: Simulation): void {
   const { state, motion, shape, moved, awake, awakeCount } = bodies
   for (let n = 0; n < awakeCount; n++) {
@@ -83,7 +81,7 @@ export function trackTravel({ bodies, h }: Simulation): void {
 export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simulation): void {
   const { state, motion, shape, awake, awakeCount, moved, changed, supported } = bodies
   changed.fill(NEVER)
-  // What nothing brakes in the air rolls for ever as well: so it is measured.
+  // A world without air drag, as exact test scenes use, has no rolling resistance either.
   const rolling = spinAir.fade < 1 ? ROLLING_RESISTANCE : 0
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
@@ -96,16 +94,15 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const warmY = motion[m + WARM_Y]
     const warmSpin = motion[m + WARM_SPIN]
     const extent = shape[i * SHAPE + EXTENT]
-    // What comes in at its own speed is not pulled.
+    // A chip that enters the stage at `ENTRY_SPEED` is static, and gravity does not pull it.
     const pulled = state[s + INV_MASS] > 0 ? 1 : 0
     const gx = pulled * gravity[X]
     const gy = pulled * gravity[Y]
-    // Smooth forces act evenly through the sub-step, so that half their change of velocity counts for the
-    // way.
+    // A constant force moves a body by half the sub-step times the velocity that it adds.
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
-    // Rolling resistance is friction: it begins with its last value, or a disc on a slope would creep.
-    // At rest a disc has twice as much, or a slope as steep as it is strong would let it creep for ever.
+    // Rolling resistance starts from its last impulse, or a disc on a slope would creep.
+    // A disc at rest has twice the resistance, or it would creep on a slope at the limit for ever.
     const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
     const round = shape[i * SHAPE + RADIUS] / extent
     const most = (rolling * (1 + slow * round) * (Math.abs(warmX) + Math.abs(warmY))) / extent
@@ -139,7 +136,7 @@ export function integratePositions({ bodies, gravity, h, pull }: Simulation): nu
     const dvx = state[s + VX] - motion[m + START_X]
     const dvy = state[s + VY] - motion[m + START_Y]
     const dSpin = state[s + SPIN] - motion[m + START_SPIN]
-    // Where the warm start was wrong nothing acted evenly: it counts for the way in full.
+    // A wrong warm start was no constant force: all of its velocity counts for the displacement.
     const whole = Math.abs(dvx) + Math.abs(dvy) + extent * Math.abs(dSpin) > wrong ? 0.5 * h : 0
     if (whole > 0) knocked[i] = 1
     state[s + X] += motion[m + DELTA_X] + h * dvx + whole * motion[m + WARM_X]

@@ -6,12 +6,12 @@ import { correctPositions, keepInside, liftWedged } from './position-correction'
 import { gatherContacts } from './sleep'
 import { FIRST_CHIP, type Simulation, STATE } from './state'
 
-/** Corrections in a row: more would push along normals that no longer hold. */
+/** Correction passes per measurement: after more, the measured normals no longer hold. */
 const PASSES = CORRECTIONS / 4
 
 /**
- * Walls have moved, or chips have grown: what is in them now is moved aside, and what lies there in turn. No
- * velocity changes, so that nothing is thrown. After a jump it takes some steps.
+ * Separates bodies that overlap since walls moved or chips grew, over several steps if need be. Velocities do
+ * not change, so nothing is thrown.
  */
 export function makeRoom(simulation: Simulation): void {
   const { contacts } = simulation
@@ -31,13 +31,13 @@ export function makeRoom(simulation: Simulation): void {
     let passes = 0
     while (passes < PASSES && correctPositions(simulation)) passes++
     visits -= (passes + 1) * nearCount
-    // A row between two walls that come nearer has room only upwards.
+    // Chips side by side between two walls that come nearer have room only above them.
     if (passes === PASSES) liftWedged(simulation)
     if (passes === 0) simulation.cramped = 0
   }
 }
 
-/** Makes room without a step: no time passes, and nothing else moves. */
+/** Makes room without a step: no time passes, and bodies that overlap nothing stay in place. */
 export function makeRoomAtOnce(simulation: Simulation): void {
   const { state, before, count } = simulation.bodies
   simulation.revision++
@@ -45,7 +45,7 @@ export function makeRoomAtOnce(simulation: Simulation): void {
     for (let i = FIRST_CHIP; i < count; i++)
       for (let axis = 0; axis < 3; axis++) before[i * 3 + axis] += sign * state[i * STATE + axis]
   }
-  // What is drawn lies between two poses: both move by as much.
+  // A body is drawn between its last two poses, so both are shifted by the same displacement.
   shift(-1)
   makeRoom(simulation)
   keepInside(simulation)

@@ -83,9 +83,8 @@ export function correctPositions(simulation: Simulation): boolean {
 }
 
 /**
- * Corrects all contacts once. While slow contacts are deep, slow bodies are corrected again, so that a jam
- * comes apart. They move out of fast bodies as well, or the jam would press its overlap into those. Fast
- * bodies are left where they are, or the pile would be stirred.
+ * Corrects all contacts once, then slow bodies alone while slow contacts overlap deeply: a jam comes apart.
+ * Fast bodies keep their poses in these passes, or the pile would be stirred.
  */
 export function correctOverlaps(simulation: Simulation): void {
   const { bodies } = simulation
@@ -98,21 +97,18 @@ export function correctOverlaps(simulation: Simulation): void {
     for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
     immovable.fill(0)
   }
-  // What stays deep for long is wedged.
+  // An overlap that stays deep for many steps is a wedge.
   simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
   if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
 }
 
-/** Whether contact `c` may not stay deep: its bodies are slow, or room is being made. */
+/** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
 function mustSeparate({ bodies, contacts, cramped }: Simulation, c: number): boolean {
   const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
   return cramped > 0 || speed <= SLOW_CONTACT
 }
 
-/**
- * Lifts the higher of the two chips that are deepest in one another, or the one in an obstacle: there is room
- * only upwards.
- */
+/** Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. */
 export function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
@@ -136,7 +132,7 @@ export function liftWedged(simulation: Simulation): void {
   if (higher < 0) return
   let lift = WEDGED_OVERLAP
   if (density[lower] === Infinity) {
-    // All the way: an obstacle would push it back down.
+    // The chip goes up to the obstacle's top at once: from inside, the obstacle could push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]
     for (const i of [higher, lower]) {
       halfExtents(bodies, i, 0, 0)
@@ -146,7 +142,7 @@ export function liftWedged(simulation: Simulation): void {
   state[higher * STATE + Y] -= lift
 }
 
-/** Puts back what others have pressed into a wall, which gives way to nothing, and notes what has come in. */
+/** Puts chips that were pressed into a wall back inside, and notes chips that have entered the stage. */
 export function keepInside(simulation: Simulation): void {
   const { bodies, ceiling, width, height } = simulation
   const { inside, state, awake, awakeCount } = bodies

@@ -43,7 +43,7 @@ export function updateContacts(simulation: Simulation): void {
     const travel = motion[a * MOTION + TRAVEL] + motion[b * MOTION + TRAVEL]
     if (!touching || travel > due[c]) {
       const serves = isStatic(bodies, a) ? WALL_RECYCLE_DISTANCE : RECYCLE_DISTANCE
-      // Where the two move alike, less of their travel counts.
+      // `shiftOf` counts relative motion only: bodies that travel together need no new manifold.
       const spare = (touching ? serves : contacts.data[c * CONTACT + SEPARATION]) - shiftOf(simulation, c)
       due[c] = travel + spare
       if (!(spare >= (touching ? 0 : way))) {
@@ -74,7 +74,7 @@ export function prepareContacts(simulation: Simulation): void {
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       const gap = manifold[GAP_NOW]
-      // Of a contact that carries a load only a part, as all of it would chatter.
+      // A loaded contact may close only a part of its gap, or it would chatter.
       d[p + VELOCITY_BIAS] = gap > 0 ? ((d[p + NORMAL_IMPULSE] > 0 ? LOADED_CLOSING : 1) * gap) / h : 0
       if (gap < -LINEAR_SLOP) correctEarly(simulation, c, p)
     }

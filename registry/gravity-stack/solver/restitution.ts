@@ -73,8 +73,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
     separationAndRate(simulation, c, p)
     const start = manifold[RATE_NOW]
-    // A stronger push is what a blow has left: the contact on the other side is gone, and the solver will
-    // take it back.
+    // A stronger push is left over from a blow, and the solver will take it back.
     const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
     const v = start + rate * from
     const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
@@ -83,7 +82,7 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0 || !(square > threshold * threshold)) continue
     const hit = Math.sqrt(square)
     const time = from + Math.min(rest, (2 * gap) / (hit - v))
-    // Of two ends the first to hit turns the chip: what the other does then is asked anew.
+    // The end that hits first turns the chip, so the other end is tested again after that impact.
     if (time > soonest + IMPACT_TOGETHER / hit) continue
     if (time < soonest - IMPACT_TOGETHER / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
     // A bounce so low that it would land again within the sub-step is left to rest.
@@ -201,12 +200,12 @@ function solveImpact(simulation: Simulation, c: number): void {
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
     state[s] -= change * time
-    // Contacts of a wall that was marked would be looked at again for ever.
+    // A static body never counts as moved: `trackTravel` would not clear that again.
     if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
     motion[i * MOTION + STRUCK_AT] = time
   }
-  // Its other end may come down too, yet a chip that rattles from end to end would do so for ever.
+  // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
@@ -216,7 +215,7 @@ function solveImpact(simulation: Simulation, c: number): void {
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
       if (points[other] === 0) measureAt(simulation, other, time)
-      // A sleeper that it is knocked into wakes at once: before the next sub-step it would be gone into.
+      // A sleeper about to be hit wakes now: in the next sub-step the two would already overlap.
       if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }
   }

@@ -46,12 +46,12 @@ export function updateSleep(simulation: Simulation): void {
       Math.abs(state[s + X + 1] - rest[r + 1]) +
       shape[i * SHAPE + EXTENT] * Math.abs(state[s + ANGLE] - rest[r + 2])
     const moves = off > REST_DISTANCE || speedOf(bodies, i) > SLOW_CONTACT
-    // Creep too slow to be seen would keep some chip of a large pile awake: its place follows it.
+    // The place of rest follows the body slowly: else invisible creep would keep a large pile awake.
     for (let axis = 0; axis < 3; axis++)
       rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
     rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
     parent[i] = i
-    // Nothing rests on nothing, unless it floats.
+    // A body without a contact counts as at rest only where there is no gravity.
     groupRest[i] = pull === 0 ? rest[r + 3] : 0
   }
   for (let joining = 0; joining < 2; joining++) {

@@ -43,7 +43,7 @@ export function step(simulation: Simulation): void {
   chooseRegime(simulation)
   startWarm(simulation)
   for (let n = 0; n < substeps; n++) {
-    // What was knocked away in the last sub-step may have left its box, or be about to hit a sleeper.
+    // A body struck in the last sub-step may have left its box, or be about to hit a sleeper.
     if (n > 0 && (updatePairs(simulation) || anyAsleep(simulation))) gatherContacts(simulation)
     if (substep(simulation)) break
   }

@@ -68,7 +68,7 @@ export function configure(simulation: Simulation, change: Change): void {
   const [oldX, oldY] = gravity
   setGravity(simulation, change.gravity)
   simulation.friction = within(change.friction, 0, 100, simulation.friction)
-  // What rests weighs as much more or less at once: else a pile hops.
+  // Impulses scale with the new weight at once, or a resting pile would hop.
   const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
   for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
     contacts.data[k + NORMAL_IMPULSE] *= share
