@@ -142,6 +142,40 @@ test('the pile is the one that falls without a look-ahead, but for whole turns t
   expect(turned).toBeGreaterThan(3)
 })
 
+test('after a frame that was long itself no slice follows, but after the next one', async ({
+  stage,
+  page,
+}) => {
+  await page.addInitScript(takeFrames)
+  // Each chip that is drawn seems to take 5 ms.
+  await page.addInitScript(() => {
+    const now = performance.now.bind(performance)
+    let more = 0
+    performance.now = () => now() + more
+    Object.defineProperty(CSSStyleDeclaration.prototype, 'transform', {
+      get: (): unknown => undefined,
+      set(this: CSSStyleDeclaration, value: string) {
+        more += 5
+        this.setProperty('transform', value)
+      },
+    })
+  })
+  const slices = await countSlices(page)
+  await stage.open('pile', { chips: 12, shape: 'pill', stagger: 100 })
+  await stage.reaches('running')
+  // From here on each frame draws a chip.
+  await page.evaluate(() => window.drive([1000 / 60]))
+  const followed: boolean[] = []
+  for (let frame = 0; frame < 60; frame++) {
+    const before = await slices()
+    await page.evaluate(() => window.drive([1000 / 60]))
+    followed.push((await slices()) > before)
+  }
+  const pairs = followed.slice(1).map((yes, n) => Number(yes) + Number(followed[n]))
+  expect(pairs.filter((count) => count === 2)).toHaveLength(0)
+  expect(pairs.filter((count) => count === 1).length).toBeGreaterThan(50)
+})
+
 test('once nothing is left to turn no second world is kept, and no slice runs while the pile is at work', async ({
   stage,
   page,

@@ -173,3 +173,8 @@ it('of the processor’s time for script the longest timer is told apart, and wh
   ])
   expect(trace.script(0, 11_500)).toEqual({ all: 8, timer: 4 })
 })
+
+it('a frame costs what the processor spent on it, where that is asked for', () => {
+  const trace = traced([begin(0), { ...script(100, 1000), tdur: 400 }])
+  expect(trace.frames(0, 16_000, (span) => span.processor).script.worst).toBe(0.4)
+})

@@ -102,9 +102,9 @@ export class Trace {
 
   /**
    * The cost of each frame of the main thread between two times. A frame lasts until the browser begins the
-   * next.
+   * next. `time` says how long a span counts, in µs: as the clock says, or as long as the processor was at it.
    */
-  frames(from: number, to: number) {
+  frames(from: number, to: number, time = (span: Span) => span.to - span.from) {
     const within = ({ ts }: TraceEvent) => ts >= from && ts <= to
     const begins = this.main
       .filter((event) => event.name === 'AnimationFrame::Render' && event.ph === 'b' && within(event))
@@ -115,7 +115,7 @@ export class Trace {
       let frame = 0
       for (const span of this.spans(names, from, to)) {
         while (frame + 1 < begins.length && begins[frame + 1] <= span.from) frame++
-        sums[frame] += (span.to - span.from) / 1000
+        sums[frame] += time(span) / 1000
       }
       return costOf(sums)
     }

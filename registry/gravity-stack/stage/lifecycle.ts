@@ -2,6 +2,7 @@ import { exposeAngle } from './chip'
 import type { Context } from './context'
 import type { Focus } from './focus'
 import { createFrameLoop } from './frame-loop'
+import { SLICE } from './look-ahead'
 import type { StagePile } from './pile'
 import type { Plan } from './plan'
 import { warn } from './props'
@@ -20,11 +21,16 @@ export function createLifecycle(
 ) {
   const { root, settings, still, pausing, chips } = context
   let state: StageState = 'static'
+  /** Whether the last frame was followed by no slice of the plan. */
+  let skipped = false
   const loop = createFrameLoop(context.view, (seconds) => {
+    const end = performance.now() + SLICE
     pile.advance(queue.clock + seconds)
     pile.draw()
     focus.follow()
-    plan.request()
+    // After a frame that was long itself, a slice would make it longer. It is put off by one frame.
+    skipped = !skipped && performance.now() > end
+    if (!skipped) plan.request()
     if (!pile.world!.resting) return
     pile.recover()
     context.update()
