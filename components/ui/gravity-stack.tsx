@@ -116,15 +116,10 @@ const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 const IMPACT_ITERATIONS = 24
 /**
- * px by which chips that graze one another would miss, and sine of the angle to a surface that counts as
- * along it (D-012).
+ * px, share of a sub-step, or sine. Places, times and directions of an impact that differ by less count as
+ * one. More lets chips that should collide slide past one another (D-012).
  */
-const GRAZE = 0.05
-/**
- * px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit
- * at once.
- */
-const IMPACT_TOGETHER = 0.05
+const IMPACT_TOLERANCE = 0.05
 
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
@@ -159,13 +154,6 @@ const CORRECTIONS = 64
  * there (D-013).
  */
 const WALL_OVERLAP = 0.9
-/** px of overlap from which two chips count as wedged, and px by which one of them goes up in a step. */
-const WEDGED_OVERLAP = 0.5
-/**
- * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls
- * moved or chips grew. Less lifts chips that are on their way out.
- */
-const WEDGED_STEPS = 30
 /**
  * Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes
  * 20 ns.
@@ -182,9 +170,16 @@ const AABB_MARGIN = 8
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
 
-/** px, rotation included, that a chip may be off its place while it counts as at rest. */
+/**
+ * px, rotation included, that a chip may be off its place while it counts as at rest. Chips that overlap by
+ * more are wedged, and one of them goes up by this in a step (D-027).
+ */
 const REST_DISTANCE = 0.5
-/** s that every chip of a group has to be at rest before the group sleeps. Less freezes a pile on its way. */
+/**
+ * s that every chip of a group has to be at rest before the group sleeps, and an overlap has to last before a
+ * wedged chip goes up. Room after walls moved or chips grew is made for as long. Less freezes a pile on its
+ * way.
+ */
 const REST_TIME = 0.5
 /**
  * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
@@ -195,10 +190,11 @@ const REST_FOLLOW = 0.03
 
 /** Hz of the mouse joint's spring. More follows the pointer more stiffly. */
 const JOINT_HERTZ = 7.5
-/** Most force of the mouse joint, in weights of the held chip. More crushes piles. */
+/**
+ * Most force of the mouse joint, in weights of the held chip at the default gravity or at a stronger one.
+ * More crushes piles.
+ */
 const JOINT_STRENGTH = 14
-/** px/s². Gravity that those weights are reckoned at where there is less. */
-const JOINT_GRAVITY = 500
 /** s of the pointer's way that a throw is fitted to. Less is noise, more remembers an earlier direction. */
 const THROW_WINDOW = 0.08
 /** px/s of the pointer from which a chip leaves with all of its velocity; slower, with less of it. */
@@ -885,7 +881,7 @@ function collide(bodies: Bodies, a: number, b: number): void {
   const along = Math.abs(fx * vy - fy * vx)
   const halves = Math.abs(ex * vy - ey * vx) + half * head
   const centres = Math.abs((mx - fx * depth) * vy - (my - fy * depth) * vx)
-  const slanted = Math.min(head, along) > GRAZE * speed
+  const slanted = Math.min(head, along) > IMPACT_TOLERANCE * speed
   manifold[ACROSS] = slanted ? Infinity : radiusA + radiusB + (halves - centres) / speed
   let nx = fx
   let ny = fy
@@ -1084,7 +1080,7 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
   const speed = Math.sqrt(vx * vx + vy * vy)
   // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
-  return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
+  return manifold[ACROSS] < IMPACT_TOLERANCE && speed > SLOW_CONTACT && approach > IMPACT_TOLERANCE * speed
 }
 
 /**
@@ -1902,7 +1898,7 @@ function correctOverlaps(simulation: Simulation): void {
   }
   // An overlap that stays deep for many steps is a wedge.
   simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
+  if (simulation.deepSteps > REST_TIME / STEP) liftWedged(simulation)
 }
 
 /** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
@@ -1916,7 +1912,7 @@ function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
   const { live, liveCount, pair, points } = simulation.contacts
-  let deepest = -WEDGED_OVERLAP
+  let deepest = -REST_DISTANCE
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
@@ -1933,7 +1929,7 @@ function liftWedged(simulation: Simulation): void {
     }
   }
   if (higher < 0) return
-  let lift = WEDGED_OVERLAP
+  let lift = REST_DISTANCE
   if (density[lower] === Infinity) {
     // The chip goes up to the obstacle's top at once: from inside, the obstacle could push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]
@@ -2004,8 +2000,8 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     const hit = Math.sqrt(square)
     const time = from + Math.min(rest, (2 * gap) / (hit - v))
     // The end that hits first turns the chip, so the other end is tested again after that impact.
-    if (time > soonest + IMPACT_TOGETHER / hit) continue
-    if (time < soonest - IMPACT_TOGETHER / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
+    if (time > soonest + IMPACT_TOLERANCE / hit) continue
+    if (time < soonest - IMPACT_TOLERANCE / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = bounce * hit > 0.5 * Math.abs(rate) * (h - time) ? bounce : 0
     d[p + VELOCITY_BIAS] = -e * hit - hit - start
@@ -2127,7 +2123,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     motion[i * MOTION + STRUCK_AT] = time
   }
   // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
-  if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
+  if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOLERANCE * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
@@ -2370,7 +2366,7 @@ function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): void {
   const hard = (a2 * soft) / (k11 * k22 - k12 * k12)
   let x = joint.impulseX * (1 - soft) - hard * (k22 * vx - k12 * vy)
   let y = joint.impulseY * (1 - soft) - hard * (k11 * vy - k12 * vx)
-  const most = (JOINT_STRENGTH * Math.max(pull, JOINT_GRAVITY) * h) / m
+  const most = (JOINT_STRENGTH * Math.max(pull, GRAVITY) * h) / m
   const share = Math.min(1, most / Math.sqrt(x * x + y * y))
   // No impulse at all divides by zero, and is within any limit.
   if (share < 1) {
@@ -2568,7 +2564,7 @@ function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
   disturb(simulation, i)
   setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
   welcome(simulation, i)
-  simulation.cramped = WEDGED_STEPS
+  simulation.cramped = REST_TIME / STEP
 }
 
 type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
@@ -2605,7 +2601,7 @@ function welcome(simulation: Simulation, i: number): void {
   boxed[i] = 1
   for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
   simulation.revision++
-  simulation.cramped = WEDGED_STEPS
+  simulation.cramped = REST_TIME / STEP
 }
 
 /** Takes `i` out of the first `count` of a list; returns how many are left. */
@@ -2873,7 +2869,7 @@ function createWorld(options: WorldOptions) {
         scene.revision++
         enclose(scene, sizeOf(width), sizeOf(height))
         wakeAll(scene)
-        scene.cramped = WEDGED_STEPS
+        scene.cramped = REST_TIME / STEP
       }
     },
 

@@ -104,15 +104,10 @@ export const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
 export const IMPACT_ITERATIONS = 24
 /**
- * px by which chips that graze one another would miss, and sine of the angle to a surface that counts as
- * along it (D-012).
+ * px, share of a sub-step, or sine. Places, times and directions of an impact that differ by less count as
+ * one. More lets chips that should collide slide past one another (D-012).
  */
-export const GRAZE = 0.05
-/**
- * px, and share of a sub-step, that a second point is still away when a first one hits, up to which both hit
- * at once.
- */
-export const IMPACT_TOGETHER = 0.05
+export const IMPACT_TOLERANCE = 0.05
 
 // Position correction and room (D-027) ----------------------------------------------------------------------
 
@@ -147,13 +142,6 @@ export const CORRECTIONS = 64
  * there (D-013).
  */
 export const WALL_OVERLAP = 0.9
-/** px of overlap from which two chips count as wedged, and px by which one of them goes up in a step. */
-export const WEDGED_OVERLAP = 0.5
-/**
- * Steps that something has to stay deep before what is wedged goes up, and for which room is made after walls
- * moved or chips grew. Less lifts chips that are on their way out.
- */
-export const WEDGED_STEPS = 30
 /**
  * Visits of contacts in a step to make room for what moved walls or grown chips pressed together. Each takes
  * 20 ns.
@@ -170,9 +158,16 @@ export const AABB_MARGIN = 8
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
 
-/** px, rotation included, that a chip may be off its place while it counts as at rest. */
+/**
+ * px, rotation included, that a chip may be off its place while it counts as at rest. Chips that overlap by
+ * more are wedged, and one of them goes up by this in a step (D-027).
+ */
 export const REST_DISTANCE = 0.5
-/** s that every chip of a group has to be at rest before the group sleeps. Less freezes a pile on its way. */
+/**
+ * s that every chip of a group has to be at rest before the group sleeps, and an overlap has to last before a
+ * wedged chip goes up. Room after walls moved or chips grew is made for as long. Less freezes a pile on its
+ * way.
+ */
 export const REST_TIME = 0.5
 /**
  * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
@@ -183,10 +178,11 @@ export const REST_FOLLOW = 0.03
 
 /** Hz of the mouse joint's spring. More follows the pointer more stiffly. */
 export const JOINT_HERTZ = 7.5
-/** Most force of the mouse joint, in weights of the held chip. More crushes piles. */
+/**
+ * Most force of the mouse joint, in weights of the held chip at the default gravity or at a stronger one.
+ * More crushes piles.
+ */
 export const JOINT_STRENGTH = 14
-/** px/s². Gravity that those weights are reckoned at where there is less. */
-export const JOINT_GRAVITY = 500
 /** s of the pointer's way that a throw is fitted to. Less is noise, more remembers an earlier direction. */
 export const THROW_WINDOW = 0.08
 /** px/s of the pointer from which a chip leaves with all of its velocity; slower, with less of it. */

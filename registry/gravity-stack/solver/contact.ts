@@ -1,5 +1,5 @@
 import { isObstacleBody, isStatic } from './body'
-import { GRAZE, SLOW_CONTACT } from './constants'
+import { IMPACT_TOLERANCE, SLOW_CONTACT } from './constants'
 import {
   ACROSS,
   ARM_AX,
@@ -170,7 +170,7 @@ function grazes({ state }: Bodies, a: number, b: number): boolean {
   const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
   const speed = Math.sqrt(vx * vx + vy * vy)
   // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
-  return manifold[ACROSS] < GRAZE && speed > SLOW_CONTACT && approach > GRAZE * speed
+  return manifold[ACROSS] < IMPACT_TOLERANCE && speed > SLOW_CONTACT && approach > IMPACT_TOLERANCE * speed
 }
 
 /**

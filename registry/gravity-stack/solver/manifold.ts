@@ -1,4 +1,4 @@
-import { GRAZE } from './constants'
+import { IMPACT_TOLERANCE } from './constants'
 import { updateRotation } from './math'
 import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, VX, VY, X, Y } from './state'
 
@@ -134,7 +134,7 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   const along = Math.abs(fx * vy - fy * vx)
   const halves = Math.abs(ex * vy - ey * vx) + half * head
   const centres = Math.abs((mx - fx * depth) * vy - (my - fy * depth) * vx)
-  const slanted = Math.min(head, along) > GRAZE * speed
+  const slanted = Math.min(head, along) > IMPACT_TOLERANCE * speed
   manifold[ACROSS] = slanted ? Infinity : radiusA + radiusB + (halves - centres) / speed
   let nx = fx
   let ny = fy

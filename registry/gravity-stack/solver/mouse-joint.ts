@@ -1,6 +1,6 @@
 import { capSpeed, extents, halfExtents } from './body'
 import {
-  JOINT_GRAVITY,
+  GRAVITY,
   JOINT_HERTZ,
   JOINT_STRENGTH,
   MAX_TOSS,
@@ -137,7 +137,7 @@ export function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): 
   const hard = (a2 * soft) / (k11 * k22 - k12 * k12)
   let x = joint.impulseX * (1 - soft) - hard * (k22 * vx - k12 * vy)
   let y = joint.impulseY * (1 - soft) - hard * (k11 * vy - k12 * vx)
-  const most = (JOINT_STRENGTH * Math.max(pull, JOINT_GRAVITY) * h) / m
+  const most = (JOINT_STRENGTH * Math.max(pull, GRAVITY) * h) / m
   const share = Math.min(1, most / Math.sqrt(x * x + y * y))
   // No impulse at all divides by zero, and is within any limit.
   if (share < 1) {

@@ -1,6 +1,6 @@
 import { capSpeed, extents, halfExtents, isObstacleBody, setPose, setShape } from './body'
 import { overlap } from './broad-phase'
-import { MAX_SPEED, WEDGED_STEPS } from './constants'
+import { MAX_SPEED, REST_TIME, STEP } from './constants'
 import { removeContact, resetContacts } from './contact'
 import { updateEntry } from './entry'
 import { type BodyOptions, FAR, finite, type Motion, sizeOf, within } from './input'
@@ -54,7 +54,7 @@ export function reshapeBody(simulation: Simulation, i: number, shape: Shape): vo
   disturb(simulation, i)
   setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
   welcome(simulation, i)
-  simulation.cramped = WEDGED_STEPS
+  simulation.cramped = REST_TIME / STEP
 }
 
 export type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
@@ -91,7 +91,7 @@ function welcome(simulation: Simulation, i: number): void {
   boxed[i] = 1
   for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
   simulation.revision++
-  simulation.cramped = WEDGED_STEPS
+  simulation.cramped = REST_TIME / STEP
 }
 
 /** Takes `i` out of the first `count` of a list; returns how many are left. */

@@ -5,10 +5,11 @@ import {
   DEEP_OVERLAP,
   LINEAR_SLOP,
   MAX_CORRECTION,
+  REST_DISTANCE,
+  REST_TIME,
   SLOW_CONTACT,
+  STEP,
   WALL_OVERLAP,
-  WEDGED_OVERLAP,
-  WEDGED_STEPS,
 } from './constants'
 import { separationAndRate } from './contact'
 import { updateEntry } from './entry'
@@ -99,7 +100,7 @@ export function correctOverlaps(simulation: Simulation): void {
   }
   // An overlap that stays deep for many steps is a wedge.
   simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > WEDGED_STEPS) liftWedged(simulation)
+  if (simulation.deepSteps > REST_TIME / STEP) liftWedged(simulation)
 }
 
 /** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
@@ -113,7 +114,7 @@ export function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
   const { live, liveCount, pair, points } = simulation.contacts
-  let deepest = -WEDGED_OVERLAP
+  let deepest = -REST_DISTANCE
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
@@ -130,7 +131,7 @@ export function liftWedged(simulation: Simulation): void {
     }
   }
   if (higher < 0) return
-  let lift = WEDGED_OVERLAP
+  let lift = REST_DISTANCE
   if (density[lower] === Infinity) {
     // The chip goes up to the obstacle's top at once: from inside, the obstacle could push it back down.
     lift = state[higher * STATE + Y] - state[lower * STATE + Y]

@@ -2,7 +2,7 @@ import { isStatic } from './body'
 import {
   BLOW_SPEED,
   IMPACT_ITERATIONS,
-  IMPACT_TOGETHER,
+  IMPACT_TOLERANCE,
   LEAST_TOLERANCE,
   LOOKAHEAD,
   SPECULATIVE_DISTANCE,
@@ -83,8 +83,8 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
     const hit = Math.sqrt(square)
     const time = from + Math.min(rest, (2 * gap) / (hit - v))
     // The end that hits first turns the chip, so the other end is tested again after that impact.
-    if (time > soonest + IMPACT_TOGETHER / hit) continue
-    if (time < soonest - IMPACT_TOGETHER / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
+    if (time > soonest + IMPACT_TOLERANCE / hit) continue
+    if (time < soonest - IMPACT_TOLERANCE / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
     // A bounce so low that it would land again within the sub-step is left to rest.
     const e = bounce * hit > 0.5 * Math.abs(rate) * (h - time) ? bounce : 0
     d[p + VELOCITY_BIAS] = -e * hit - hit - start
@@ -206,7 +206,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     motion[i * MOTION + STRUCK_AT] = time
   }
   // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
-  if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOGETHER * h) queueImpact(simulation, c)
+  if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOLERANCE * h) queueImpact(simulation, c)
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {

@@ -5,9 +5,9 @@ import {
   FRICTION,
   GRAVITY,
   LINEAR_DAMPING,
+  REST_TIME,
   STEP,
   SUBSTEPS,
-  WEDGED_STEPS,
 } from './constants'
 import { copy } from './copy'
 import { grab } from './grab'
@@ -81,7 +81,7 @@ export function createWorld(options: WorldOptions) {
         scene.revision++
         enclose(scene, sizeOf(width), sizeOf(height))
         wakeAll(scene)
-        scene.cramped = WEDGED_STEPS
+        scene.cramped = REST_TIME / STEP
       }
     },
 
