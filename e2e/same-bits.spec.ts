@@ -21,11 +21,12 @@ const script = build({
       import { fingerprint, pinned } from './testing/pins'
       import { createWorld } from './world'
       const scenes = Object.fromEntries(pinned.map((name) => [name, fingerprint(name, createWorld)]))
-      const obstacles = []
+      const taken = []
       const releases = Array.from({ length: 60 }, (_, i) => {
         const size = [40 + i / 3, 24 + i / 7]
-        const pose = releasePose(i, ...size, 640, 2600, obstacles)
-        obstacles.push({ x: pose.x, y: pose.y, reach: reach(...size) })
+        const pose = releasePose(i, ...size, 640, 2600, taken)
+        const far = reach(...size)
+        taken.push([pose.x - far, pose.y - far, pose.x + far, pose.y + far])
         return [releaseTime(i, i / 100), pose]
       })
       globalThis.found = JSON.stringify({ scenes, releases })`,

@@ -1,5 +1,5 @@
 // Pours with the drag and sleep of a page: all chips at once, or one by one as the stage releases them.
-import { reach, releasePose, releaseTime } from '../../registry/gravity-stack/stage/release'
+import { reach, releasePose, releaseTime, type Taken } from '../../registry/gravity-stack/stage/release'
 import { createWorld } from '../../registry/gravity-stack/world'
 import { worstOverlap } from '../../scenes/exact-distance'
 import { aired } from '../../scenes/hard'
@@ -61,12 +61,12 @@ function playDrop(kind: Kind, count: number, seed: number): Run {
   return play(world, stage, shapes, ids, (frames) => {
     while (ids.length < count && releaseTime(ids.length, ids.length * stagger) <= frames * frame) {
       const { width, height, radius } = shapes[ids.length]
-      const above = ids.flatMap((id, i) => {
+      const taken = ids.flatMap((id, i): Taken[] => {
         const { x, y } = world.read(id)
         const far = reach(shapes[i].width, shapes[i].height)
-        return y < far ? [{ x, y, reach: far }] : []
+        return y < far ? [[x - far, y - far, x + far, y + far]] : []
       })
-      const pose = releasePose(ids.length, width, height, stage.width, aired.gravity, above)
+      const pose = releasePose(ids.length, width, height, stage.width, aired.gravity, taken)
       ids.push(world.add({ width, height, radius, ...pose }))
     }
     return ids.length < count

@@ -58,7 +58,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
   let recovered = false
 
   function release(chip: Drop) {
-    chip.id = addReleased({ world, chips }, chip, world.scene.width, world.scene.gravity[1])
+    chip.id = addReleased({ world, chips }, chip)
     ids[chip.place] = chip.id
   }
 
@@ -120,8 +120,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
      * it is far enough ahead.
      */
     plan() {
-      const { width, gravity } = world.scene
-      const done = lookAhead.advance({ world, chips }, coming, width, gravity[1])
+      const done = lookAhead.advance({ world, chips }, coming)
       for (const chip of ids.map((id) => chips[id])) {
         const { y, angle } = world.read(chip.id)
         chip.seen ||= y + halfExtent(chip, angle)[1] > 0

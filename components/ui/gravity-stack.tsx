@@ -582,20 +582,6 @@ interface Vector {
   y: number
 }
 
-interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
-  width: number
-  height: number
-  /** px/s² downwards, or to the right and downwards. */
-  gravity?: number | Vector | undefined
-  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
-  ceiling?: boolean | undefined
-  /** Restitution, 0..1. */
-  bounce?: number
-  /** Coulomb coefficient, 0 or more. */
-  friction?: number
-}
-
 interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number
@@ -611,17 +597,6 @@ interface BodyOptions {
   spin?: number
   /** Mass a px². */
   density?: number
-}
-
-/** Pose and velocity of a body: px, radians, px/s, rad/s. */
-interface Reading {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
 }
 
 type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>
@@ -1818,8 +1793,9 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
     while (!isStatic(bodies, i) && contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
     state.set([0, ENTRY_SPEED, 0, 0, 0], s + VX)
   } else if (isStatic(bodies, i)) {
-    const [hx, hy, radius] = [HX, HY, RADIUS].map((field) => shape[i * SHAPE + field])
-    setShape(bodies, i, 2 * (hx! + radius!), 2 * (hy! + radius!), radius!, density[i])
+    const k = i * SHAPE
+    const radius = shape[k + RADIUS]
+    setShape(bodies, i, 2 * (shape[k + HX] + radius), 2 * (shape[k + HY] + radius), radius, density[i])
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
   }
   // Its contact with the ceiling begins.
@@ -2446,13 +2422,14 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
 /** px, how thick walls are. */
 const THICK = 1000
 
-/** Adds floor, walls and ceiling to a new world. */
+/** Adds floor, walls and an open ceiling to a new world. An open ceiling is where nothing comes near it. */
 function addWalls({ bodies }: Simulation): void {
   for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i
     const upright = i % CEILING > 0
     setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
   }
+  bodies.box.set([Infinity, -FAR, FAR, 0], CEILING * 4)
 }
 
 /** Puts floor and walls where a stage of this size (px) has them. */
@@ -2466,45 +2443,42 @@ function enclose(simulation: Simulation, width: number, height: number): void {
   setPose(bodies, 1, -thick, 0, 0)
   setPose(bodies, 2, width + thick, 0, 0)
   setPose(bodies, CEILING, width / 2, -thick, 0)
-  bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
-  setCeiling(simulation, simulation.ceiling)
+  bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far])
   for (let i = FIRST_CHIP; i < bodies.count; i++) resetContacts(bodies, contacts, i)
 }
 
-/** Closes or opens the top. An open ceiling is where nothing comes near it. */
-function setCeiling(simulation: Simulation, closed: boolean): void {
-  simulation.ceiling = closed
-  simulation.bodies.box[CEILING * 4] = closed ? -FAR : Infinity
-}
-
-/** Sets gravity, px/s²: downwards, or to the right and downwards. A part that is left out stays as it is. */
-function setGravity(simulation: Simulation, given: number | Vector | undefined): void {
-  const { gravity } = simulation
-  const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
-  gravity[X] = within(x, -1e5, 1e5, gravity[X])
-  gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
-  simulation.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
-}
-
 /** What of a world may be changed while it lives. */
-type Change = Omit<WorldOptions, 'width' | 'height'>
+interface Surroundings {
+  /** px/s², to the right and downwards. */
+  gravity: Vector
+  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
+  ceiling: boolean
+  /** Restitution, 0..1. */
+  bounce: number
+  /** Coulomb coefficient, 0 or more. */
+  friction: number
+}
 
-/** Changes gravity, ceiling, bounce or friction; wakes everything. */
-function configure(simulation: Simulation, change: Change): void {
+/** Sets gravity, ceiling, bounce and friction; wakes everything. */
+function configure(
+  simulation: Simulation,
+  { gravity: { x, y }, ceiling, bounce, friction }: Surroundings,
+): void {
   const { bodies, contacts, gravity, pull } = simulation
-  const [oldX, oldY] = gravity
-  setGravity(simulation, change.gravity)
-  simulation.friction = within(change.friction, 0, 100, simulation.friction)
   // Impulses scale with the new weight at once, or a resting pile would hop.
-  const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
+  const share = within((x * gravity[X] + y * gravity[Y]) / (pull * pull), 0, 1000, 1)
   for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
     contacts.data[k + NORMAL_IMPULSE] *= share
     contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
-    contacts.data[k + TANGENT_IMPULSE] *= simulation.friction > 0 ? share : 0
+    contacts.data[k + TANGENT_IMPULSE] *= friction > 0 ? share : 0
   }
+  gravity.set([x, y])
+  simulation.pull = Math.sqrt(x * x + y * y)
+  simulation.friction = friction
+  simulation.bounce = bounce
   simulation.revision++
-  simulation.bounce = within(change.bounce, 0, 1, simulation.bounce)
-  setCeiling(simulation, change.ceiling ?? simulation.ceiling)
+  simulation.ceiling = ceiling
+  bodies.box[CEILING * 4] = ceiling ? -FAR : Infinity
   wakeAll(simulation)
   for (let n = 0; n < bodies.awakeCount; n++) updateEntry(simulation, bodies.awake[n])
 }
@@ -2760,27 +2734,19 @@ function startWarm(simulation: Simulation): void {
 
 // solver/grab: a chip in a hand ─────────────────────────────────────────────────────────────────────────────
 
-/** Takes hold of body `i` at the point (x, y) of the stage, px; of one that is gone nothing comes. */
+/** Takes hold of body `i` at the point (x, y) of the stage, px. */
 function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
   const { bodies, contacts, joints } = simulation
-  const s = i * STATE
-  const joint = createJoint(
-    bodies,
-    i,
-    within(x, -FAR, FAR, bodies.state[s + X]),
-    within(y, -FAR, FAR, bodies.state[s + Y]),
-  )
-  if (bodies.alive[i] && !isObstacleBody(bodies, i)) {
-    disturb(simulation, i)
-    bodies.held[i]++
-    // A chip that is grabbed while it enters the stage is static no longer.
-    updateEntry(simulation, i)
-    joints.push(joint)
-  }
+  const joint = createJoint(bodies, i, x, y)
+  disturb(simulation, i)
+  bodies.held[i]++
+  // A chip that is grabbed while it enters the stage is static no longer.
+  updateEntry(simulation, i)
+  joints.push(joint)
   return {
     moveTo(toX, toY, seconds) {
-      const when = within(seconds, -1e12, 1e12, 0)
-      movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), when)
+      // A stage that has just been hidden has no places.
+      movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), seconds)
     },
     release() {
       const n = joints.indexOf(joint)
@@ -2804,13 +2770,9 @@ function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>
   for (const [name, value] of Object.entries(from)) {
     if (name === 'joints') continue
-    const own = target[name]
     if (typeof value !== 'object') target[name] = value
-    else if (Array.isArray(value)) target[name] = [...value]
-    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
-    else if ((own as Float64Array).length === (value as Float64Array).length)
-      (own as Float64Array).set(value as Float64Array)
-    else target[name] = (value as Float64Array).slice()
+    else if ('slice' in value) target[name] = value.slice()
+    else copy(value, target[name] as object)
   }
 }
 
@@ -2819,10 +2781,10 @@ function copy(from: object, to: object): void {
 type World = ReturnType<typeof createWorld>
 
 /**
- * A world of rounded boxes in a stage. Same calls, same bits, in every JavaScript engine.
- * Values that are not finite count as left out (sizes as 1 px), so that nothing is ever lost.
+ * A world of rounded boxes in a stage, for `configure` to set its gravity. Same calls, same bits, in every
+ * JavaScript engine.
  */
-function createWorld(options: WorldOptions) {
+function createWorld({ width, height }: { width: number; height: number }) {
   const scene = new Simulation()
   const { bodies } = scene
   scene.substeps = SUBSTEPS
@@ -2831,22 +2793,16 @@ function createWorld(options: WorldOptions) {
   scene.air = dampingOver(LINEAR_DAMPING, scene.h)
   scene.spinAir = dampingOver(ANGULAR_DAMPING, scene.h)
   scene.impactRegime.relaxation = 1
-  scene.gravity[Y] = GRAVITY
-  scene.bounce = BOUNCE
-  scene.friction = FRICTION
   scene.threshold = BOUNCE_THRESHOLD
   addWalls(scene)
-  enclose(scene, sizeOf(options.width), sizeOf(options.height))
-  configure(scene, options)
+  enclose(scene, width, height)
 
   return {
     /**
      * Adds a body and returns its id. Infinite density makes an obstacle: static, and what is in it moves
      * aside.
      */
-    add(body: BodyOptions): number {
-      return addBody(scene, body)
-    },
+    add: addBody.bind(null, scene),
 
     /** Takes body `id` out; what leaned on it wakes. */
     remove(id: number): void {
@@ -2854,20 +2810,16 @@ function createWorld(options: WorldOptions) {
     },
 
     /** Moves body `id` to where and as fast as is given; what leaned on it wakes. */
-    place(id: number, motion: Motion): void {
-      if (bodies.alive[id]) placeBody(scene, id, motion)
-    },
+    place: placeBody.bind(null, scene),
 
     /** Gives body `id` a new size (px) in place; what it touches wakes. */
-    reshape(id: number, shape: Shape): void {
-      if (bodies.alive[id]) reshapeBody(scene, id, shape)
-    },
+    reshape: reshapeBody.bind(null, scene),
 
     /** Moves floor and right wall; wakes everything. */
     resize(width: number, height: number): void {
-      if (sizeOf(width) !== scene.width || sizeOf(height) !== scene.height) {
+      if (width !== scene.width || height !== scene.height) {
         scene.revision++
-        enclose(scene, sizeOf(width), sizeOf(height))
+        enclose(scene, width, height)
         wakeAll(scene)
         scene.cramped = REST_TIME / STEP
       }
@@ -2877,19 +2829,13 @@ function createWorld(options: WorldOptions) {
      * Parts what moved walls or grown chips have pressed together, without a step: no time passes, and
      * nothing else moves.
      */
-    makeRoom(): void {
-      makeRoomAtOnce(scene)
-    },
+    makeRoom: makeRoomAtOnce.bind(null, scene),
 
-    /** Changes gravity (px/s²), ceiling, bounce or friction; wakes everything. */
-    configure(change: Change): void {
-      configure(scene, change)
-    },
+    /** Sets gravity, ceiling, bounce and friction; wakes everything. */
+    configure: configure.bind(null, scene),
 
     /** Pushes what is in the way of a disc that goes from one place to another; see `pushBodies`. */
-    push(radius: number, x: number, y: number, goX: number, goY: number, seconds: number): void {
-      pushBodies(scene, radius, x, y, goX, goY, seconds)
-    },
+    push: pushBodies.bind(null, scene),
 
     /** Lets `seconds` pass in fixed steps, an hour at most; what is left over is simulated next time. */
     step(seconds: number): void {
@@ -2902,10 +2848,8 @@ function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Takes hold of body `id` at the point (x, y) of the stage; of one that is gone nothing comes. */
-    grab(id: number, x: number, y: number): Grab {
-      return grab(scene, id, x, y)
-    },
+    /** Takes hold of body `id` at the point (x, y) of the stage. */
+    grab: grab.bind(null, scene),
 
     /**
      * Becomes the same as `other`, bit for bit, without what is held there: equal steps then keep both equal.
@@ -2928,19 +2872,11 @@ function createWorld(options: WorldOptions) {
       return scene.left
     },
 
-    /** Pose and velocity of body `id`. */
-    read(id: number): Reading {
+    /** Pose of body `id`: px, px, rad; and px/s, how fast it goes down. */
+    read(id: number) {
       const { state } = bodies
       const s = id * STATE
-      return {
-        x: state[s + X],
-        y: state[s + Y],
-        angle: state[s + ANGLE],
-        vx: state[s + VX],
-        vy: state[s + VY],
-        spin: state[s + SPIN],
-        asleep: bodies.asleep[id] > 0,
-      }
+      return { x: state[s + X], y: state[s + Y], angle: state[s + ANGLE], vy: state[s + VY] }
     },
 
     /** What the world is made of. */
@@ -2950,17 +2886,16 @@ function createWorld(options: WorldOptions) {
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const { state, before, undrawn } = bodies
       // Share of the step that is not simulated yet: what moves is drawn so much behind.
-      const behind = 1 - within(scene.left / STEP, 0, 1, 0)
+      const behind = 1 - scene.left / STEP
+      const drawn = (i: number, axis: number) => {
+        const now = state[i * STATE + axis]
+        return now - behind * (now - before[i * 3 + axis])
+      }
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
         if (undrawn[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
         undrawn[i] = asleep ? 0 : 1
-        const s = i * STATE
-        const b = i * 3
-        const x = state[s + X] - behind * (state[s + X] - before[b])
-        const y = state[s + Y] - behind * (state[s + Y] - before[b + 1])
-        const angle = state[s + ANGLE] - behind * (state[s + ANGLE] - before[b + 2])
-        visit(i, x, y, angle, asleep)
+        visit(i, drawn(i, X), drawn(i, Y), drawn(i, ANGLE), asleep)
       }
     },
 
@@ -3143,14 +3078,8 @@ interface Release {
   id: number
 }
 
-/** Something in the way of a release: its centre, and the distance of its farthest point from that, px. */
-interface Obstacle {
-  x: number
-  y: number
-  reach: number
-  /** px to its sides, if that is something else. */
-  halfWidth?: number
-}
+/** Something in the way of a release: its left, top, right and bottom, px. */
+type Taken = [left: number, top: number, right: number, bottom: number]
 
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
 function releasePose(
@@ -3159,26 +3088,22 @@ function releasePose(
   height: number,
   stageWidth: number,
   gravity: number,
-  obstacles: Obstacle[],
+  taken: Taken[],
 ) {
   // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
   const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
   const halfHeight = height / 2 + width / 8
-  const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
+  const share = within((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0, 1, 0)
   const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
   let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
   // In the order of their tops, the lowest first: the release only moves up, so it stays clear of those it
   // has passed.
-  obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
-  for (const other of obstacles) {
-    if (
-      Math.abs(other.x - x) < halfWidth + (other.halfWidth ?? other.reach) &&
-      Math.abs(other.y - y) < halfHeight + other.reach
-    )
-      y = other.y - other.reach - halfHeight - 1
-  }
+  taken.sort((a, b) => b[1] - a[1])
+  for (const [left, top, right, bottom] of taken)
+    if (left < x + halfWidth && right > x - halfWidth && top < y + halfHeight && bottom > y - halfHeight)
+      y = top - halfHeight - 1
   return {
     x,
     y,
@@ -3196,37 +3121,20 @@ interface Pile<T extends Release = Release> {
 }
 
 /** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
-function addReleased<T extends Release>(
-  { world, chips }: Pile<T>,
-  next: T,
-  stageWidth: number,
-  gravity: number,
-): number {
-  const obstacles: Obstacle[] = []
+function addReleased<T extends Release>({ world, chips }: Pile<T>, next: T): number {
+  const taken: Taken[] = []
   chips.forEach(({ reach }, id) => {
     const { x, y } = world.read(id)
-    if (y < reach) obstacles.push({ x, y, reach })
+    if (y < reach) taken.push([x - reach, y - reach, x + reach, y + reach])
   })
   // Nothing starts in an obstacle.
-  const { alive, box, density } = world.scene.bodies
+  const { bodies, gravity, width: stageWidth } = world.scene
+  const { alive, box, density } = bodies
   density.forEach((dense, i) => {
-    const [left, top, right, bottom] = Array.from(box.subarray(i * 4, i * 4 + 4)) as [
-      number,
-      number,
-      number,
-      number,
-    ]
-    if (dense === Infinity && alive[i])
-      obstacles.push({
-        x: (left + right) / 2,
-        y: (top + bottom) / 2,
-        reach: (bottom - top) / 2,
-        halfWidth: (right - left) / 2,
-      })
+    if (dense === Infinity && alive[i]) taken.push(Array.from(box.subarray(4 * i, 4 * i + 4)) as Taken)
   })
-  const { order, width, height, radius } = next
-  const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
-  const id = world.add({ width, height, radius, ...pose })
+  const { order, width, height } = next
+  const id = world.add({ ...next, ...releasePose(order, width, height, stageWidth, gravity[Y], taken) })
   chips[id] = next
   return id
 }
@@ -3245,12 +3153,7 @@ const SIDEWAYS = 0.15
  * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside
  * (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
  */
-function launchMotion(
-  number: number,
-  height: number,
-  { gravity, pull: length }: { gravity: { x: number; y: number }; pull: number },
-  angle: number,
-) {
+function launchMotion(number: number, height: number, { gravity, pull: length }: Simulation, angle: number) {
   const either = (channel: number) => 2 * scatter(number, channel) - 1
   const pull = Math.max(length, LEAST_GRAVITY)
   const speed = Math.sqrt(2 * height * pull)
@@ -3261,8 +3164,8 @@ function launchMotion(
   const drag = ANGULAR_DAMPING * flight
   const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
   const whole = 2 * Math.PI
-  const downX = length && gravity.x / length
-  const downY = length ? gravity.y / length : 1
+  const downX = length && gravity[X] / length
+  const downY = length ? gravity[Y] / length : 1
   return {
     vx: vx * downY + vy * downX,
     vy: vy * downY - vx * downX,
@@ -3562,7 +3465,7 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
      * changed that, or when the copy has fallen behind. Returns whether the copy is as far ahead as it is to
      * go.
      */
-    advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
+    advance(shown: Pile<T>, coming: Coming<T>): boolean {
       const end = performance.now() + SLICE
       const now = coming.clock - shown.world.left
       copy ??= { world: createWorld({ width: 1, height: 1 }), chips: [] }
@@ -3583,7 +3486,7 @@ function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
         while (waiting[0] && waiting[0].due < time) {
           const chip = waiting.shift()!
           prepare(chip)
-          addReleased(copy, chip, stageWidth, gravity)
+          addReleased(copy, chip)
         }
         world.step(STEP)
       }
@@ -3818,17 +3721,19 @@ function createPile(
 
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = pile.chips[id]!
-    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    if (!chip.turned) turnUnseen(chip, y)
     drawAt(chip, x, y, bodyAngle + chip.turn, asleep)
   }
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
-  function turnUnseen(chip: Chip, y: number, angle: number) {
-    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.pull)
-    if (y + chip.reach + fall < 0) return
+  function turnUnseen(chip: Chip, y: number) {
+    const world = pile.world!
+    const fall = LONGEST_FRAME * (world.read(chip.id).vy + (LONGEST_FRAME / 2) * world.scene.pull)
+    const bottom = y + chip.reach
+    if (bottom + fall < 0) return
     chip.turned = true
     // Before a chip is first drawn it is out of sight as well.
-    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    if (bottom > 0 && !Number.isNaN(chip.x)) return
     chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
   }
 
@@ -3839,7 +3744,8 @@ function createPile(
 
     /** Begins a drop of all chips, with the clock of the queue at `clock`. */
     begin(clock: number) {
-      pile.world = createWorld({ ...settings, width: context.width, height: context.height })
+      pile.world = createWorld(context)
+      pile.world.configure(settings)
       pile.chips = []
       queue.restart(clock)
       context.chips.forEach((chip) => {
@@ -3867,7 +3773,7 @@ function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity.y)
+      chip.id = addReleased(pile as Pile<Chip>, chip)
       chip.x = Number.NaN
     },
 
@@ -3929,7 +3835,8 @@ function createPile(
     /** Sends a chip about `height` px up, which is against gravity. */
     launch(chip: Chip, height: number) {
       pile.touch()
-      pile.world!.place(chip.id, launchMotion(launches++, height, settings, chip.angle))
+      const world = pile.world!
+      world.place(chip.id, launchMotion(launches++, height, world.scene, chip.angle))
     },
 
     /** Releases chips anew that lie above a stage whose gravity would not bring them back. */
@@ -4188,7 +4095,7 @@ function createPlan(
     timer = undefined
     if (!enabled) return
     if (plan.settling) return settle()
-    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity.y)) {
+    if (!lookAhead.advance(pile as Pile<Chip>, queue)) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()
     } else if (queue.clock < 0 && queue.latest < 0) {

@@ -1,7 +1,19 @@
-import { ANGULAR_DAMPING, BOUNCE_THRESHOLD, LINEAR_DAMPING, STEP, SUBSTEPS } from './solver/constants'
-import { type WorldOptions as StageOptions, within } from './solver/input'
-import { dampingOver } from './solver/math'
+import { isObstacleBody } from './solver/body'
 import {
+  ANGULAR_DAMPING,
+  BOUNCE,
+  BOUNCE_THRESHOLD,
+  FRICTION,
+  GRAVITY,
+  LINEAR_DAMPING,
+  STEP,
+  SUBSTEPS,
+} from './solver/constants'
+import { FAR, type Grab, type Motion, sizeOf, type Vector, within } from './solver/input'
+import { dampingOver } from './solver/math'
+import type { Shape } from './solver/population'
+import {
+  ANGLE,
   ARM_NB,
   ARM_TB,
   CONTACT,
@@ -16,19 +28,32 @@ import {
   NORMAL_X,
   NORMAL_Y,
   SECOND,
+  SPIN,
   STATE,
   SUBSTEPS_TAKEN,
   TANGENT_IMPULSE,
+  VX,
+  VY,
   X,
   Y,
 } from './solver/state'
+import type { Surroundings } from './solver/surroundings'
 import { createWorld as createBareWorld } from './solver/world'
 
-export type { BodyOptions, Grab, Motion, Reading } from './solver/input'
+export type { BodyOptions, Grab, Motion } from './solver/input'
 
 export type World = ReturnType<typeof createWorld>
 
-export interface WorldOptions extends StageOptions {
+/** What of a world may be changed while it lives: a part that is left out, or makes no sense, stays. */
+export interface Change extends Partial<Omit<Surroundings, 'gravity'>> {
+  /** px/s² downwards, or to the right and downwards. */
+  gravity?: number | Partial<Vector> | undefined
+}
+
+export interface WorldOptions extends Change {
+  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
+  width: number
+  height: number
   /** 1/s, drag of the air on velocity and on spin. */
   linearDamping?: number
   angularDamping?: number
@@ -43,6 +68,17 @@ export interface WorldOptions extends StageOptions {
 /** The largest damping (1/s) for which `dampingOver` is exact at a whole step. */
 export const MAX_DAMPING = 0.5 / STEP
 
+/** Pose and velocity of a body: px, radians, px/s, rad/s. */
+export interface Reading {
+  x: number
+  y: number
+  angle: number
+  vx: number
+  vy: number
+  spin: number
+  asleep: boolean
+}
+
 /** A pair of bodies that touch, by their ids. */
 export interface Contact {
   a: number
@@ -53,30 +89,84 @@ export interface Contact {
 
 /**
  * A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people
- * copy.
+ * copy. The stage checks what it is given; here values that are not finite count as left out, sizes as 1 px,
+ * and bodies that are gone are left alone.
  */
 export function createWorld(options: WorldOptions) {
-  const world = createBareWorld(options)
+  const world = createBareWorld({ width: sizeOf(options.width), height: sizeOf(options.height) })
   const { scene } = world
-  const { bodies, contacts, work } = scene
+  const { bodies, contacts } = scene
   scene.substeps = Math.round(within(options.substeps, 1, 64, SUBSTEPS))
   scene.h = STEP / scene.substeps
   scene.air = dampingOver(within(options.linearDamping, 0, MAX_DAMPING, LINEAR_DAMPING), scene.h)
   scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const { step } = world
+  const { configure, grab, place, reshape, resize, step } = world
   let acted = false
 
+  /** Sets what `change` gives, and leaves the rest at what it is `now`. */
+  function change({ gravity, ceiling, bounce, friction }: Change, now: Surroundings) {
+    const { x, y } = typeof gravity === 'number' ? { x: 0, y: gravity } : (gravity ?? now.gravity)
+    configure({
+      gravity: { x: within(x, -1e5, 1e5, now.gravity.x), y: within(y, -1e5, 1e5, now.gravity.y) },
+      ceiling: ceiling ?? now.ceiling,
+      bounce: within(bounce, 0, 1, now.bounce),
+      friction: within(friction, 0, 100, now.friction),
+    })
+  }
+  change(options, { gravity: { x: 0, y: GRAVITY }, ceiling: false, bounce: BOUNCE, friction: FRICTION })
+
   const tools = {
+    place(id: number, motion: Motion): void {
+      if (bodies.alive[id]) place(id, motion)
+    },
+
+    reshape(id: number, shape: Shape): void {
+      if (bodies.alive[id]) reshape(id, shape)
+    },
+
+    resize(width: number, height: number): void {
+      resize(sizeOf(width), sizeOf(height))
+    },
+
+    configure(given: Change): void {
+      const { gravity } = scene
+      change(given, { ...scene, gravity: { x: gravity[X], y: gravity[Y] } })
+    },
+
+    /** Pose and velocity of body `id`. */
+    read(id: number): Reading {
+      const { asleep, state } = bodies
+      const s = id * STATE
+      return {
+        x: state[s + X],
+        y: state[s + Y],
+        angle: state[s + ANGLE],
+        vx: state[s + VX],
+        vy: state[s + VY],
+        spin: state[s + SPIN],
+        asleep: asleep[id] > 0,
+      }
+    },
+
+    /** Of a body that is gone, and of an obstacle, nothing comes. */
+    grab(id: number, x: number, y: number): Grab {
+      if (!bodies.alive[id] || isObstacleBody(bodies, id)) return { moveTo() {}, release() {} }
+      const at = tools.read(id)
+      const { moveTo, release } = grab(id, within(x, -FAR, FAR, at.x), within(y, -FAR, FAR, at.y))
+      return { moveTo: (toX, toY, seconds) => moveTo(toX, toY, within(seconds, -1e12, 1e12, 0)), release }
+    },
+
     step(seconds: number): void {
-      work.fill(0)
+      scene.work.fill(0)
       acted = bodies.awakeCount > 0
       step(seconds)
     },
 
     /** What the world did in the last call of its `step`; `awake` is of its last step. */
     get stats() {
+      const { work } = scene
       let pairs = 0
       let touching = 0
       let points = 0
@@ -160,6 +250,9 @@ export function createWorld(options: WorldOptions) {
       return (hash >>> 0).toString(16).padStart(8, '0')
     },
   }
-  return Object.defineProperties(world, Object.getOwnPropertyDescriptors(tools)) as typeof world &
+  return Object.defineProperties(world, Object.getOwnPropertyDescriptors(tools)) as Omit<
+    typeof world,
+    keyof typeof tools
+  > &
     typeof tools
 }

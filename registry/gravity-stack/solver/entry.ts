@@ -20,8 +20,9 @@ export function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simu
     while (!isStatic(bodies, i) && contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
     state.set([0, ENTRY_SPEED, 0, 0, 0], s + VX)
   } else if (isStatic(bodies, i)) {
-    const [hx, hy, radius] = [HX, HY, RADIUS].map((field) => shape[i * SHAPE + field])
-    setShape(bodies, i, 2 * (hx! + radius!), 2 * (hy! + radius!), radius!, density[i])
+    const k = i * SHAPE
+    const radius = shape[k + RADIUS]
+    setShape(bodies, i, 2 * (shape[k + HX] + radius), 2 * (shape[k + HY] + radius), radius, density[i])
     for (let edge = contacts.head[i]; edge >= 0; edge = contacts.next[edge]) resetContact(contacts, edge >> 1)
   }
   // Its contact with the ceiling begins.

@@ -3,20 +3,6 @@ export interface Vector {
   y: number
 }
 
-export interface WorldOptions {
-  /** px, size of the stage: floor at y = height, walls at x = 0 and x = width. */
-  width: number
-  height: number
-  /** px/s² downwards, or to the right and downwards. */
-  gravity?: number | Vector | undefined
-  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
-  ceiling?: boolean | undefined
-  /** Restitution, 0..1. */
-  bounce?: number
-  /** Coulomb coefficient, 0 or more. */
-  friction?: number
-}
-
 export interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number
@@ -32,17 +18,6 @@ export interface BodyOptions {
   spin?: number
   /** Mass a px². */
   density?: number
-}
-
-/** Pose and velocity of a body: px, radians, px/s, rad/s. */
-export interface Reading {
-  x: number
-  y: number
-  angle: number
-  vx: number
-  vy: number
-  spin: number
-  asleep: boolean
 }
 
 export type Motion = Partial<Pick<BodyOptions, 'x' | 'y' | 'angle' | 'vx' | 'vy' | 'spin'>>

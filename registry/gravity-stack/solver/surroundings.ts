@@ -1,7 +1,7 @@
 import { setPose, setShape } from './body'
 import { resetContacts } from './contact'
 import { updateEntry } from './entry'
-import { FAR, type Vector, type WorldOptions, within } from './input'
+import { FAR, type Vector, within } from './input'
 import { wake } from './sleep'
 import {
   CEILING,
@@ -19,13 +19,14 @@ import {
 /** px, how thick walls are. */
 const THICK = 1000
 
-/** Adds floor, walls and ceiling to a new world. */
+/** Adds floor, walls and an open ceiling to a new world. An open ceiling is where nothing comes near it. */
 export function addWalls({ bodies }: Simulation): void {
   for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i
     const upright = i % CEILING > 0
     setShape(bodies, i, upright ? THICK : FAR, upright ? FAR : THICK, 0, Infinity)
   }
+  bodies.box.set([Infinity, -FAR, FAR, 0], CEILING * 4)
 }
 
 /** Puts floor and walls where a stage of this size (px) has them. */
@@ -39,45 +40,42 @@ export function enclose(simulation: Simulation, width: number, height: number): 
   setPose(bodies, 1, -thick, 0, 0)
   setPose(bodies, 2, width + thick, 0, 0)
   setPose(bodies, CEILING, width / 2, -thick, 0)
-  bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far, 0, -far, far, 0])
-  setCeiling(simulation, simulation.ceiling)
+  bodies.box.set([-far, height, far, far, -far, -far, 0, far, width, -far, far, far])
   for (let i = FIRST_CHIP; i < bodies.count; i++) resetContacts(bodies, contacts, i)
 }
 
-/** Closes or opens the top. An open ceiling is where nothing comes near it. */
-function setCeiling(simulation: Simulation, closed: boolean): void {
-  simulation.ceiling = closed
-  simulation.bodies.box[CEILING * 4] = closed ? -FAR : Infinity
-}
-
-/** Sets gravity, px/s²: downwards, or to the right and downwards. A part that is left out stays as it is. */
-function setGravity(simulation: Simulation, given: number | Vector | undefined): void {
-  const { gravity } = simulation
-  const [x, y] = typeof given === 'number' ? [0, given] : [given?.x, given?.y]
-  gravity[X] = within(x, -1e5, 1e5, gravity[X])
-  gravity[Y] = within(y, -1e5, 1e5, gravity[Y])
-  simulation.pull = Math.sqrt(gravity[X] * gravity[X] + gravity[Y] * gravity[Y])
-}
-
 /** What of a world may be changed while it lives. */
-export type Change = Omit<WorldOptions, 'width' | 'height'>
+export interface Surroundings {
+  /** px/s², to the right and downwards. */
+  gravity: Vector
+  /** Whether there is a ceiling at y = 0 as well, for what has once been wholly below it. */
+  ceiling: boolean
+  /** Restitution, 0..1. */
+  bounce: number
+  /** Coulomb coefficient, 0 or more. */
+  friction: number
+}
 
-/** Changes gravity, ceiling, bounce or friction; wakes everything. */
-export function configure(simulation: Simulation, change: Change): void {
+/** Sets gravity, ceiling, bounce and friction; wakes everything. */
+export function configure(
+  simulation: Simulation,
+  { gravity: { x, y }, ceiling, bounce, friction }: Surroundings,
+): void {
   const { bodies, contacts, gravity, pull } = simulation
-  const [oldX, oldY] = gravity
-  setGravity(simulation, change.gravity)
-  simulation.friction = within(change.friction, 0, 100, simulation.friction)
   // Impulses scale with the new weight at once, or a resting pile would hop.
-  const share = within((gravity[X] * oldX! + gravity[Y] * oldY!) / (pull * pull), 0, 1000, 1)
+  const share = within((x * gravity[X] + y * gravity[Y]) / (pull * pull), 0, 1000, 1)
   for (let k = 0; k < contacts.count * CONTACT; k += CONTACT) {
     contacts.data[k + NORMAL_IMPULSE] *= share
     contacts.data[k + SECOND + NORMAL_IMPULSE] *= share
-    contacts.data[k + TANGENT_IMPULSE] *= simulation.friction > 0 ? share : 0
+    contacts.data[k + TANGENT_IMPULSE] *= friction > 0 ? share : 0
   }
+  gravity.set([x, y])
+  simulation.pull = Math.sqrt(x * x + y * y)
+  simulation.friction = friction
+  simulation.bounce = bounce
   simulation.revision++
-  simulation.bounce = within(change.bounce, 0, 1, simulation.bounce)
-  setCeiling(simulation, change.ceiling ?? simulation.ceiling)
+  simulation.ceiling = ceiling
+  bodies.box[CEILING * 4] = ceiling ? -FAR : Infinity
   wakeAll(simulation)
   for (let n = 0; n < bodies.awakeCount; n++) updateEntry(simulation, bodies.awake[n])
 }

@@ -1,4 +1,5 @@
 import { ANGULAR_DAMPING } from '../solver/constants'
+import { type Simulation, X, Y } from '../solver/state'
 import { scatter } from './release'
 
 /** px/s², the least gravity that launches are computed for (D-002). */
@@ -16,7 +17,7 @@ const SIDEWAYS = 0.15
 export function launchMotion(
   number: number,
   height: number,
-  { gravity, pull: length }: { gravity: { x: number; y: number }; pull: number },
+  { gravity, pull: length }: Simulation,
   angle: number,
 ) {
   const either = (channel: number) => 2 * scatter(number, channel) - 1
@@ -29,8 +30,8 @@ export function launchMotion(
   const drag = ANGULAR_DAMPING * flight
   const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
   const whole = 2 * Math.PI
-  const downX = length && gravity.x / length
-  const downY = length ? gravity.y / length : 1
+  const downX = length && gravity[X] / length
+  const downY = length ? gravity[Y] / length : 1
   return {
     vx: vx * downY + vy * downX,
     vy: vy * downY - vx * downX,

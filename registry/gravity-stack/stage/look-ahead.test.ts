@@ -108,13 +108,13 @@ it('a look-ahead, in any number of slices, tells the angle at which each chip wi
   const expected = new Map<Release, number>()
   const all = [...coming.chips]
   while (coming.chips.length > 0 || !shown.world.resting) {
-    while (!lookAhead.advance(shown, coming, stage.width, 2600)) {
+    while (!lookAhead.advance(shown, coming)) {
       // Another slice.
     }
     coming.clock += frame
     while (coming.chips[0] && coming.chips[0].due < coming.clock) {
       const chip = coming.chips.shift()!
-      chip.id = addReleased(shown, chip, stage.width, 2600)
+      chip.id = addReleased(shown, chip)
       expected.set(chip, lookAhead.expectedAngle(chip)!)
     }
     shown.world.step(frame)

@@ -44,7 +44,7 @@ export function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
      * changed that, or when the copy has fallen behind. Returns whether the copy is as far ahead as it is to
      * go.
      */
-    advance(shown: Pile<T>, coming: Coming<T>, stageWidth: number, gravity: number): boolean {
+    advance(shown: Pile<T>, coming: Coming<T>): boolean {
       const end = performance.now() + SLICE
       const now = coming.clock - shown.world.left
       copy ??= { world: createWorld({ width: 1, height: 1 }), chips: [] }
@@ -65,7 +65,7 @@ export function createLookAhead<T extends Release>(prepare: (chip: T) => void) {
         while (waiting[0] && waiting[0].due < time) {
           const chip = waiting.shift()!
           prepare(chip)
-          addReleased(copy, chip, stageWidth, gravity)
+          addReleased(copy, chip)
         }
         world.step(STEP)
       }

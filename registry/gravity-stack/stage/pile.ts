@@ -1,5 +1,5 @@
 import { createWorld, type World } from '../solver/world'
-import { applyCornerRadius, type Chip, draw, drawAt, halfHeight, measureRadius, setState } from './chip'
+import { applyCornerRadius, type Chip, draw, drawAt, measureRadius, setState } from './chip'
 import type { Context } from './context'
 import { LONGEST_FRAME } from './frame-loop'
 import { launchMotion } from './launch'
@@ -28,17 +28,19 @@ export function createPile(
 
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
     const chip = pile.chips[id]!
-    if (!chip.turned) turnUnseen(chip, y, bodyAngle)
+    if (!chip.turned) turnUnseen(chip, y)
     drawAt(chip, x, y, bodyAngle + chip.turn, asleep)
   }
 
   /** Turns a chip to what will lie upright, in the last frame in which it is sure to be out of sight. */
-  function turnUnseen(chip: Chip, y: number, angle: number) {
-    const fall = LONGEST_FRAME * (pile.world!.read(chip.id).vy + (LONGEST_FRAME / 2) * settings.pull)
-    if (y + chip.reach + fall < 0) return
+  function turnUnseen(chip: Chip, y: number) {
+    const world = pile.world!
+    const fall = LONGEST_FRAME * (world.read(chip.id).vy + (LONGEST_FRAME / 2) * world.scene.pull)
+    const bottom = y + chip.reach
+    if (bottom + fall < 0) return
     chip.turned = true
     // Before a chip is first drawn it is out of sight as well.
-    if (y + halfHeight(chip, angle) > 0 && !Number.isNaN(chip.x)) return
+    if (bottom > 0 && !Number.isNaN(chip.x)) return
     chip.turn = uprightTurn(chip, lookAhead.expectedAngle(chip) ?? 0)
   }
 
@@ -49,7 +51,8 @@ export function createPile(
 
     /** Begins a drop of all chips, with the clock of the queue at `clock`. */
     begin(clock: number) {
-      pile.world = createWorld({ ...settings, width: context.width, height: context.height })
+      pile.world = createWorld(context)
+      pile.world.configure(settings)
       pile.chips = []
       queue.restart(clock)
       context.chips.forEach((chip) => {
@@ -77,7 +80,7 @@ export function createPile(
       // The look-ahead has released it with another radius.
       if (radius !== chip.radius) queue.revision++
       queue.latest = queue.clock
-      chip.id = addReleased(pile as Pile<Chip>, chip, context.width, settings.gravity.y)
+      chip.id = addReleased(pile as Pile<Chip>, chip)
       chip.x = Number.NaN
     },
 
@@ -139,7 +142,8 @@ export function createPile(
     /** Sends a chip about `height` px up, which is against gravity. */
     launch(chip: Chip, height: number) {
       pile.touch()
-      pile.world!.place(chip.id, launchMotion(launches++, height, settings, chip.angle))
+      const world = pile.world!
+      world.place(chip.id, launchMotion(launches++, height, world.scene, chip.angle))
     },
 
     /** Releases chips anew that lie above a stage whose gravity would not bring them back. */

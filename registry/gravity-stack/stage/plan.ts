@@ -30,7 +30,7 @@ export function createPlan(
     timer = undefined
     if (!enabled) return
     if (plan.settling) return settle()
-    if (!lookAhead.advance(pile as Pile<Chip>, queue, context.width, settings.gravity.y)) {
+    if (!lookAhead.advance(pile as Pile<Chip>, queue)) {
       // While nothing moves no frame asks for the next slice.
       if (pile.world!.resting) plan.request()
     } else if (queue.clock < 0 && queue.latest < 0) {

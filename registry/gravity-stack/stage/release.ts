@@ -1,4 +1,6 @@
 import { STEP } from '../solver/constants'
+import { within } from '../solver/input'
+import { Y } from '../solver/state'
 import type { World } from '../solver/world'
 
 // Each chip starts at the same place and time for the same stage and chips, in every browser. So this module
@@ -56,14 +58,8 @@ export interface Release {
   id: number
 }
 
-/** Something in the way of a release: its centre, and the distance of its farthest point from that, px. */
-export interface Obstacle {
-  x: number
-  y: number
-  reach: number
-  /** px to its sides, if that is something else. */
-  halfWidth?: number
-}
+/** Something in the way of a release: its left, top, right and bottom, px. */
+export type Taken = [left: number, top: number, right: number, bottom: number]
 
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
 export function releasePose(
@@ -72,26 +68,22 @@ export function releasePose(
   height: number,
   stageWidth: number,
   gravity: number,
-  obstacles: Obstacle[],
+  taken: Taken[],
 ) {
   // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
   const either = (channel: number) => (turns ? 2 * scatter(index, channel) - 1 : 0)
   const halfWidth = width / 2 + height / 8
   const halfHeight = height / 2 + width / 8
-  const share = Math.min(Math.max((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0), 1)
+  const share = within((((index + 0.5) * GOLDEN_SHARE) % 1) + STRAY * either(1), 0, 1, 0)
   const x = stageWidth / 2 + (share - 0.5) * Math.max(stageWidth - 2 * halfWidth, 0)
   let y = -halfHeight - CLEARANCE - CLEARANCE_SCATTER * scatter(index, 2)
   // In the order of their tops, the lowest first: the release only moves up, so it stays clear of those it
   // has passed.
-  obstacles.sort((a, b) => b.y - b.reach - a.y + a.reach)
-  for (const other of obstacles) {
-    if (
-      Math.abs(other.x - x) < halfWidth + (other.halfWidth ?? other.reach) &&
-      Math.abs(other.y - y) < halfHeight + other.reach
-    )
-      y = other.y - other.reach - halfHeight - 1
-  }
+  taken.sort((a, b) => b[1] - a[1])
+  for (const [left, top, right, bottom] of taken)
+    if (left < x + halfWidth && right > x - halfWidth && top < y + halfHeight && bottom > y - halfHeight)
+      y = top - halfHeight - 1
   return {
     x,
     y,
@@ -109,37 +101,20 @@ export interface Pile<T extends Release = Release> {
 }
 
 /** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
-export function addReleased<T extends Release>(
-  { world, chips }: Pile<T>,
-  next: T,
-  stageWidth: number,
-  gravity: number,
-): number {
-  const obstacles: Obstacle[] = []
+export function addReleased<T extends Release>({ world, chips }: Pile<T>, next: T): number {
+  const taken: Taken[] = []
   chips.forEach(({ reach }, id) => {
     const { x, y } = world.read(id)
-    if (y < reach) obstacles.push({ x, y, reach })
+    if (y < reach) taken.push([x - reach, y - reach, x + reach, y + reach])
   })
   // Nothing starts in an obstacle.
-  const { alive, box, density } = world.scene.bodies
+  const { bodies, gravity, width: stageWidth } = world.scene
+  const { alive, box, density } = bodies
   density.forEach((dense, i) => {
-    const [left, top, right, bottom] = Array.from(box.subarray(i * 4, i * 4 + 4)) as [
-      number,
-      number,
-      number,
-      number,
-    ]
-    if (dense === Infinity && alive[i])
-      obstacles.push({
-        x: (left + right) / 2,
-        y: (top + bottom) / 2,
-        reach: (bottom - top) / 2,
-        halfWidth: (right - left) / 2,
-      })
+    if (dense === Infinity && alive[i]) taken.push(Array.from(box.subarray(4 * i, 4 * i + 4)) as Taken)
   })
-  const { order, width, height, radius } = next
-  const pose = releasePose(order, width, height, stageWidth, gravity, obstacles)
-  const id = world.add({ width, height, radius, ...pose })
+  const { order, width, height } = next
+  const id = world.add({ ...next, ...releasePose(order, width, height, stageWidth, gravity[Y], taken) })
   chips[id] = next
   return id
 }
