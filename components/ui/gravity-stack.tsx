@@ -2941,8 +2941,6 @@ type Settings = Omit<StageProps, 'gravity'> & {
   [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
 } & {
   gravity: Vector
-  /** px/s², the length of `gravity`. */
-  pull: number
 }
 
 declare const process: { env: { NODE_ENV?: string } }
@@ -2992,24 +2990,23 @@ function checkedGravity(value: unknown): Vector {
 /** The settings that hold for what a caller gave. */
 function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
-    settings[name] = !!given[name]
-    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
-      warn(
-        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
-      )
-  }
+  settings.interactive = !!given.interactive
+  if (process.env.NODE_ENV !== 'production')
+    for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const)
+      if (typeof given[name] !== 'boolean')
+        warn(
+          `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+        )
   for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
-  const { x, y } = checkedGravity(given.gravity)
-  settings.gravity = { x, y }
-  settings.pull = Math.hypot(x, y)
+  settings.gravity = checkedGravity(given.gravity)
+  const pointsUp = settings.gravity.y < 0
   // All that falls up would leave for good.
-  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
+  if (process.env.NODE_ENV !== 'production' && pointsUp && !given.ceiling)
     warn(
       'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
     )
-  settings.ceiling ||= y < 0
+  settings.ceiling = !!given.ceiling || pointsUp
   if (typeof given.onSettle !== 'function') {
     settings.onSettle = undefined
     // `ready && save` is how people leave a callback out.
@@ -3204,7 +3201,6 @@ function measureRadius(chip: Chip, changes: MutationObserver) {
   const { element, width, height } = chip
   // The face of a chip is its first child that takes up room: not words for screen readers, not style
   // elements. Mere words have none and are drawn on the wrapper.
-  let face: CSSStyleDeclaration | undefined
   let next: Element | null
   for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
     const style = getComputedStyle(child)
@@ -3213,11 +3209,11 @@ function measureRadius(chip: Chip, changes: MutationObserver) {
     if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
     // The wrapper is not watched: the stage itself changes its style in every frame.
     changes.observe(child, { attributeFilter: ['class', 'style'] })
-    face = style
-    break
+    chip.radius = cornerRadius(style, width, height)
+    return
   }
-  if (!face) element.style.borderRadius = ''
-  chip.radius = cornerRadius(face ?? getComputedStyle(element), width, height)
+  element.style.borderRadius = ''
+  chip.radius = cornerRadius(getComputedStyle(element), width, height)
 }
 
 /** px, the least of the four corner radii of a style, as nothing drawn may reach out of the body. */
@@ -3233,13 +3229,6 @@ function cornerRadius({ borderRadius }: CSSStyleDeclaration, width: number, heig
 /** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
 function applyCornerRadius({ element, radius }: Chip) {
   element.style.borderRadius = `${radius}px`
-}
-
-/** px, how far a chip that is drawn at `angle` reaches below its centre. */
-function halfHeight({ width, height, radius }: Chip, angle: number) {
-  const sin = Math.abs(Math.sin(angle))
-  const cos = Math.abs(Math.cos(angle))
-  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
 }
 
 function draw(chip: Chip) {
@@ -3305,25 +3294,19 @@ function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
   return chips.get(node!)
 }
 
-/** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
+/** Brings `chips` in line with the child elements, in their order; returns what `chips` held before. */
 function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-  root.querySelectorAll('[loading=lazy]').forEach((lazy) => {
-    lazy.setAttribute('loading', 'eager')
+  root.querySelectorAll<HTMLImageElement>('[loading=lazy]').forEach((lazy) => {
+    lazy.loading = 'eager'
   })
-  const added: Chip[] = []
-  const gone = new Map(chips)
+  const before = new Map(chips)
   chips.clear()
   root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
-    let chip = gone.get(element)
-    if (!chip) {
-      chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
-      added.push(chip)
-    }
-    gone.delete(element)
-    chips.set(element, chip)
+    const fresh = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' }
+    chips.set(element, before.get(element) ?? (fresh as Chip))
   })
-  return { added, gone: Array.from(gone.values()) }
+  return before
 }
 
 // stage/release-queue: whose turn it is, and the clock of the stage ─────────────────────────────────────────
@@ -3526,7 +3509,7 @@ interface Context {
   settings: Settings
   /** The chips by their elements, in the order of these. */
   chips: Map<Element, Chip>
-  /** px, size of the stage; zero while it has none. Written by `sizes`. */
+  /** px, size of the stage, written by `sizes`. The width is 0 while it has none. */
   width: number
   height: number
   /** Brings the state in line with all that is known. Every event ends in it. */
@@ -3557,9 +3540,9 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   // it.
   let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
   let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
-  for (let node = above(root); node; node = above(node)) {
-    // The overflow of the body applies to the window.
-    if (node === body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
+  // The overflow of the body applies to the window.
+  for (let node = above(root); node && node !== body; node = above(node)) {
+    if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
     wide = Math.min(wide, node.clientWidth)
     high = Math.min(high, node.clientHeight)
   }
@@ -3591,8 +3574,8 @@ function createVisibility({ root, view, update }: Context, approach: () => void)
     visibility.wasInView ||= isIntersecting
     const area = shown.width * shown.height
     // Without a size the ratio is 1 as soon as the stage is anywhere in view.
-    if (!visibility.started && area)
-      visibility.started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
+    visibility.started ||=
+      area > 0 && (intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry))
     clearTimeout(timer)
     if (isIntersecting && !(whole.width * whole.height)) {
       const { clientWidth, clientHeight } = root
@@ -3869,10 +3852,10 @@ type StagePile = ReturnType<typeof createPile>
  * stage and of the elements around it do together.
  */
 function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
+  const probes = ['0,0', '100px,0', '0,100px'].map((offset) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
     // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${offset})`
     return probe
   })
   // All probes are written before any is read, for one layout.
@@ -3907,17 +3890,18 @@ function placeOf({ clientX, clientY, timeStamp }: PointerEvent, root: HTMLElemen
 // stage/obstacles: elements that chips land on ──────────────────────────────────────────────────────────────
 
 /**
- * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
- * no pile (D-050).
+ * px (and rad) by which an obstacle may change unnoticed. Scrolling rounds the places of elements, and must
+ * wake no pile (D-050).
  */
 const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** In the world, or -1, and as what: x, y, angle, width, height, radius, or nothing. */
+  /** Of its body in the world, or -1. */
   id: number
-  placed: number[]
-  /** Sees the element move or change its size. */
+  /** The body's x, y, angle, width, height and radius, and 1 if the stage has room for it. */
+  placed?: number[]
+  /** Tells when the element moves or changes its size. */
   watch?: IntersectionObserver
 }
 
@@ -3950,13 +3934,13 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
   const all = new Map<Element, ObstacleElement>()
 
   /**
-   * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
-   * element's own box.
+   * Has `measure` called once the element is drawn elsewhere. The observer looks at the element's present box
+   * alone, and any move changes what share of the element is in that box.
    */
   function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
     const { clientWidth, clientHeight } = root.ownerDocument.documentElement
     const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
-    // Of what is out of view all that can be seen is that it comes in.
+    // Of an element out of view an observer only tells that the element comes into view.
     const hidden = y > clientHeight || x > clientWidth || bottom < 0 || right < 0
     let first = true
     obstacle.watch?.disconnect()
@@ -3982,17 +3966,17 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
     const box = root.getBoundingClientRect()
     if (!(box.width * box.height)) return
     const toStage = pointerMap(root, box)
-    let any = false
     all.forEach((obstacle, element) => {
       const rect = element.getBoundingClientRect()
       watchPlace(element, obstacle, rect)
       const style = getComputedStyle(element)
       const own = new DOMMatrix(style.transform)
-      // Rounded, as engines disagree on the last bits.
-      const turned = Math.atan2(own.b, own.a) + ((Number.parseFloat(style.rotate) || 0) * Math.PI) / 180
-      const angle = Math.round(turned * 1e4) / 1e4
-      // The box around what is turned is larger than that, and has the same middle.
-      const scale = Math.hypot(own.a, own.b) * (Number.parseFloat(style.scale) || 1)
+        .rotate(Number.parseFloat(style.rotate) || 0)
+        .scale(Number.parseFloat(style.scale) || 1)
+      // The angle is rounded, as engines disagree on its last bits.
+      const angle = Math.round(Math.atan2(own.b, own.a) * 1e4) / 1e4
+      // The bounding box of a turned element is larger than the element, and has the same middle.
+      const scale = Math.hypot(own.a, own.b)
       const { offsetWidth, offsetHeight } = element as HTMLElement
       const unit = Math.hypot(toStage.a, toStage.b)
       const width = angle ? scale * offsetWidth : unit * rect.width
@@ -4002,34 +3986,31 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
         y: rect.y + rect.height / 2 - box.y,
       })
       const radius = cornerRadius(style, width, height)
-      const large = width >= root.clientWidth && height >= root.clientHeight
-      const body = width * height > 0 && !large ? [x, y, angle, width, height, radius] : []
+      const fits = width < root.clientWidth || height < root.clientHeight
       if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
-      const { placed } = obstacle
-      if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
-      any = true
-      obstacle.placed = body
+      const place = [x, y, angle, width, height, radius, +fits]
+      if (obstacle.placed?.every((n, i) => Math.abs(n - place[i]!) < UNNOTICED)) return
+      obstacle.placed = place
       world.remove(obstacle.id)
-      obstacle.id = body.length ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
+      obstacle.id =
+        fits && width * height ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
-    if (any) pile.makeRoom()
+    pile.makeRoom()
   }
 
-  return {
+  const obstacles = {
     measure,
 
-    /** The pile has a new world, which knows none of the obstacles yet. */
+    /** Puts all obstacles into a new world of the pile. */
     enter() {
-      all.forEach((obstacle) => {
-        obstacle.id = -1
-        obstacle.placed = []
-      })
-      measure()
+      obstacles.stop()
+      all.clear()
+      obstacles.find()
     },
 
     /** Looks for obstacles anew. */
     find() {
-      const refs = settings.obstacles ? [settings.obstacles].flat().map((ref) => ref?.current) : []
+      const refs = [settings.obstacles || []].flat().map((ref) => ref?.current)
       const elements = refs.filter((element) => element instanceof view.Element)
       if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
         warn(
@@ -4037,7 +4018,6 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
         )
       elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0
-      let fresh = false
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()
@@ -4045,28 +4025,26 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
         all.delete(element)
         pile.makeRoom()
       })
+      const known = all.size
       for (const element of elements) {
         if (element.contains(root)) {
           if (process.env.NODE_ENV !== 'production')
             warn(
               'an obstacle is the stage itself or around it, so chips fall through it. Pass elements beside the stage, or give children data-static.',
             )
-        } else if (!all.get(element)?.watch) {
-          fresh = true
-          all.set(element, all.get(element) ?? { id: -1, placed: [] })
-        }
+        } else if (!all.has(element)) all.set(element, { id: -1 })
       }
-      if (fresh) measure()
+      if (all.size > known) measure()
     },
 
-    /** Watches nothing any more, until it is told again what the obstacles are. */
+    /** Ends all observers, until the obstacles are measured again. */
     stop() {
-      all.forEach((obstacle) => {
-        obstacle.watch?.disconnect()
-        delete obstacle.watch
+      all.forEach(({ watch }) => {
+        watch?.disconnect()
       })
     },
   }
+  return obstacles
 }
 
 type Obstacles = ReturnType<typeof createObstacles>
@@ -4165,15 +4143,15 @@ type Plan = ReturnType<typeof createPlan>
 
 // stage/listeners: events, until their listeners end ────────────────────────────────────────────────────────
 
-/** Listens before handlers on the way to the target, which may keep the event to themselves. */
-const CAPTURE = { capture: true }
-
 type Listen = (target: EventTarget, type: string, handler: (event: never) => void, options?: object) => void
 
-/** Returns a function that adds listeners; all of them end with `controller`. */
+/**
+ * Returns a function that adds listeners; all of them end with `controller`. Unless `options` say otherwise a
+ * listener hears an event before those on the way to its target, which may keep it to themselves.
+ */
 function listenUntil({ signal }: AbortController): Listen {
   return (target, type, handler, options) =>
-    target.addEventListener(type, handler as EventListener, { signal, ...options })
+    target.addEventListener(type, handler as EventListener, { signal, capture: true, ...options })
 }
 
 /** Keeps the browser, and handlers further on the way, from doing anything with an event. */
@@ -4184,53 +4162,57 @@ function stop(event: Event) {
 
 // stage/focus: the chip that has the focus ──────────────────────────────────────────────────────────────────
 
-/** Brings the chip with the focus to the front and into view; calls `hurry` if it waits for its release. */
+/** Brings the chip with the focus to the front and into view; calls `hurry` if that chip waits. */
 function createFocus(
   { root, view, still, pausing, chips, update }: Context,
   pile: StagePile,
   hurry: () => void,
 ) {
   let front = 0
-  /** The chip that got the focus before it lay, until it lies. */
+  /** The chip that got the focus while it waited or fell, until that chip lies. */
   let followed: Chip | undefined
   let listen: Listen
 
   const focus = {
     listen(on: Listen) {
       listen = on
-      on(root, 'focusin', focus.on)
+      on(root, 'focusin', ({ target }: Event) => focus.on(target))
     },
 
     toFront({ element }: Chip) {
       element.style.zIndex = `${++front}`
     },
 
-    on({ target }: { target: EventTarget | null }) {
+    /** The element `target` has got the focus. */
+    on(target: EventTarget | null) {
       const chip = chipAt(chips, target)
       if (!chip) return
       focus.toFront(chip)
       if (still.matches) return
-      // The chip goes on falling. Where it can't be seen yet, the stage comes into view; once the chip lies,
-      // it comes itself if that was not enough. A press scrolls nothing, though a field shows its focus then
-      // as well; nor does the focus that a dialog gives back.
+      // A chip that can't be seen yet goes on falling, and its stage comes into view. Once the chip lies,
+      // `follow` brings the chip itself into view. A press scrolls nothing, though a pressed field shows its
+      // focus as well; nor does the focus that a dialog gives back to a chip at rest.
       const unseen = chip.state === 'waiting' || (target as Element).matches(':focus-visible:not(:active)')
       if (unseen && chip.state !== 'resting') {
         if (chip.state === 'waiting' || chip.y < 0) root.scrollIntoView({ block: 'nearest' })
         followed = chip
         // People who scroll on meanwhile are not brought back.
         for (const type of ['wheel', 'touchmove', 'keydown'])
-          listen(view, type, () => (followed = undefined), { ...CAPTURE, once: true })
+          listen(view, type, () => (followed = undefined), { once: true })
       }
       if (chip.id < 0) hurry()
       if (unseen) focus.bringIn(chip)
       update()
     },
 
-    /** An event's target for the element that has the focus, in the page or the shadow tree. */
-    active: () => ({ target: (root.getRootNode() as Document).activeElement }),
+    /** The element that has the focus, in the page or the shadow tree. */
+    active: () => (root.getRootNode() as Document).activeElement,
 
-    /** In a paused stage, where no time passes, puts a chip, or that with the focus, where it can be seen. */
-    bringIn(chip = chipAt(chips, focus.active().target)) {
+    /**
+     * In a paused stage no time passes: puts a chip, or the one with the focus, to where people can see that
+     * chip.
+     */
+    bringIn(chip = chipAt(chips, focus.active())) {
       if (!chip || !pile.world || !pausing.current) return
       if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
       if (chip.id < 0) pile.release(chip)
@@ -4238,7 +4220,7 @@ function createFocus(
       pile.draw()
     },
 
-    /** Brings the chip that was followed into view once it lies. */
+    /** Brings the chip in `followed` into view once that chip lies. */
     follow() {
       if (followed?.state !== 'resting') return
       if (followed.element.matches(':focus-within')) followed.element.scrollIntoView({ block: 'nearest' })
@@ -4265,7 +4247,7 @@ function createSizes(
   let watching = false
   const observer = new view.ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
-      const chip = chipAt(chips, target)
+      const chip = chips.get(target)
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
       else if (target === root) readStageSize()
     }
@@ -4275,10 +4257,10 @@ function createSizes(
   })
 
   function readStageSize() {
-    const appeared = !(context.width * context.height)
-    context.width = root.clientWidth
+    const appeared = !context.width
     context.height = root.clientHeight
-    if (!(context.width * context.height)) return
+    context.width = context.height && root.clientWidth
+    if (!context.width) return
     resize(appeared)
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
@@ -4290,7 +4272,7 @@ function createSizes(
   function setChipSize(chip: Chip, width: number, height: number) {
     if (width * height) return pile.setSize(chip, width, height)
     // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
-    if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
+    if (!context.width || chip.element.querySelector(':fullscreen')) return
     if (process.env.NODE_ENV !== 'production')
       warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
     chip.width = 0
@@ -4322,21 +4304,19 @@ function createSizes(
 /** `data-state` of a stage. */
 type StageState = 'static' | 'waiting' | 'running' | 'paused' | 'resting'
 
-/** What the state of a stage depends on. */
-interface Facts {
+/** The state that follows from what is known of a stage. */
+function nextState(
   /** People prefer reduced motion, or the page is printed. */
-  still: boolean
+  still: boolean,
   /** The stage has come into view and its pile can be shown. */
-  ready: boolean
+  ready: boolean,
   /** The caller has paused the stage. */
-  paused: boolean
+  paused: boolean,
   /** No chip moves, and none waits for its release. */
-  settled: boolean
+  settled: boolean,
   /** The stage is on screen, has a size, and its tab is visible. */
-  shown: boolean
-}
-
-function nextState({ still, ready, paused, settled, shown }: Facts): StageState {
+  shown: boolean,
+): StageState {
   if (still) return 'static'
   if (!ready) return 'waiting'
   if (paused) return 'paused'
@@ -4414,13 +4394,13 @@ function createLifecycle(
       queue.catchUp()
       const { world } = pile
       const idle = !!world?.resting
-      const next = nextState({
-        still: still.matches,
-        ready: visibility.started && !!world && !plan.settling,
-        paused: pausing.current,
-        settled: idle && !queue.chips.length,
-        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
-      })
+      const next = nextState(
+        still.matches,
+        visibility.started && !!world && !plan.settling,
+        pausing.current,
+        idle && !queue.chips.length,
+        visibility.inView && !root.ownerDocument.hidden && context.width > 0,
+      )
       const running = next === 'running'
       if (running && !idle) loop.run()
       // Nothing moves before the next release: a timer is enough until then.
@@ -4443,8 +4423,11 @@ const EDITABLE =
   'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 /** Elements that use clicks themselves, so that their chip does not hop (D-066). */
 const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that the browser draws over the page, outside of the chip that holds them (D-066). */
-const OVERLAY = ':is(dialog, [popover], :fullscreen)'
+/**
+ * Elements inside a chip whose presses are not about it: the chips of a stage in it, and what the browser
+ * draws over the page (D-066).
+ */
+const OVERLAY = 'dialog, [popover], :fullscreen, [data-slot=gravity-stack-chip]'
 
 /** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */
 function isInside({ element }: Chip, event: Event, kind: string) {
@@ -4452,9 +4435,9 @@ function isInside({ element }: Chip, event: Event, kind: string) {
   return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
 }
 
-/** The chip in the world that an event is about. In a stage inside a chip that is the inner chip. */
+/** The chip in the world that an event is about. */
 function chipUnder(event: Event, chips: Map<Element, Chip>) {
-  const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+  const chip = chipAt(chips, event.target)
   return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
 }
 
@@ -4476,16 +4459,16 @@ function createClicks({ root, view, chips, update }: Context, pile: StagePile, {
   let dragged = false
 
   function stopAfterDrag(event: PointerEvent) {
-    // A click by a key ends no drag. Firefox takes Enter on a link for a click; older browsers have no type
-    // of pointer.
+    // A click by a key ends no drag: the type of its pointer is empty. In older browsers no click has such a
+    // type, and the detail of a key's click is 0.
     if (!dragged || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
     dragged = false
     stop(event)
   }
 
-  /** Taps let people move a chip without dragging. */
+  /** A tap lets people move a chip without a drag. */
   function click(event: PointerEvent) {
-    // The window does not learn that a click in a closed shadow tree is in the stage.
+    // If the stage is in a closed shadow tree, the window's listener can't tell that this click is in it.
     stopAfterDrag(event)
     const chip = chipUnder(event, chips)
     if (event.defaultPrevented || !chip || !isLive() || isInside(chip, event, CONTROL)) return
@@ -4495,12 +4478,12 @@ function createClicks({ root, view, chips, update }: Context, pile: StagePile, {
 
   return {
     listen(on: Listen) {
-      // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (dragged = false), CAPTURE)
-      on(view, 'click', stopAfterDrag, CAPTURE)
-      on(root, 'click', click, CAPTURE)
+      // A drag that ends without a click stops no click of the next press, which may be outside of the stage.
+      on(view, 'pointerdown', () => (dragged = false))
+      on(view, 'click', stopAfterDrag)
+      on(root, 'click', click)
     },
-    /** A drag has ended. */
+    /** A drag has ended: the click that follows it is stopped. */
     stopNext() {
       dragged = true
     },
@@ -4522,7 +4505,6 @@ const DRAG_START = 4
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
-  down: PointerEvent
   /** The last event of the pointer. */
   at: PointerEvent
   place: Place
@@ -4534,15 +4516,14 @@ interface Press {
   offY: number
   /** The element that the pointer went down on. */
   origin: Element
-  touch: boolean
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: Grab
 }
 
-function capture({ chip, down }: Press) {
+function capture({ chip, at }: Press) {
   try {
-    chip.element.setPointerCapture(down.pointerId)
+    chip.element.setPointerCapture(at.pointerId)
   } catch {
     // A pointer that is gone, or that a script has made up, can't be captured.
   }
@@ -4578,12 +4559,12 @@ function createPointers(
     pressing = new AbortController()
     const on = listenUntil(pressing)
     // No link in a chip, and no draggable element around the stage, is dragged along.
-    on(view, 'dragstart', stop, CAPTURE)
-    on(view, 'pointermove', move, CAPTURE)
-    on(view, 'scroll', follow, CAPTURE)
-    on(view, 'pointerup', up, CAPTURE)
-    on(view, 'pointercancel', up, CAPTURE)
-    on(view, 'lostpointercapture', up, CAPTURE)
+    on(view, 'dragstart', stop)
+    on(view, 'pointermove', move)
+    on(view, 'scroll', follow)
+    on(view, 'pointerup', up)
+    on(view, 'pointercancel', up)
+    on(view, 'lostpointercapture', up)
   }
 
   const holds = () => root.querySelector('[data-state=held]')
@@ -4604,11 +4585,9 @@ function createPointers(
     const chip = chipUnder(event, chips)
     if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
-    const touch = event.pointerType === 'touch'
     const place = placeOf(event, root)
     const press: Press = {
       chip,
-      down: event,
       at: event,
       place,
       origin: event.target as Element,
@@ -4616,11 +4595,10 @@ function createPointers(
       fromY: event.clientY,
       offX: place.x - chip.x,
       offY: place.y - chip.y,
-      touch,
     }
     if (!presses.size) listenToPointers()
     presses.set(event.pointerId, press)
-    if (touch) {
+    if (event.pointerType === 'touch') {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
@@ -4661,7 +4639,10 @@ function createPointers(
     press.at = event
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
-    if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
+    if (
+      !press.moved &&
+      Math.hypot(dx, dy) > (event.pointerType === 'touch' ? TOUCH_DRAG_START : DRAG_START)
+    ) {
       // A finger that moves up or down first is to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
@@ -4688,7 +4669,7 @@ function createPointers(
   }
 
   function letGo(press: Press) {
-    presses.delete(press.down.pointerId)
+    presses.delete(press.at.pointerId)
     if (!presses.size) pressing!.abort()
     clearTimeout(press.timer)
     if (press.moved) clicks.stopNext()
@@ -4700,14 +4681,14 @@ function createPointers(
 
   return {
     listen(on: Listen) {
-      on(root, 'pointerdown', down)
+      on(root, 'pointerdown', down, { capture: false })
       // Browsers ask before a finger comes down whether anybody listens to touches, so these two are there
       // from the start.
-      on(view, 'touchstart', pinch, CAPTURE)
+      on(view, 'touchstart', pinch)
       on(root, 'touchmove', scroll, { passive: false })
     },
     /** Captures pointers again: an element that React moves to another place loses them. */
-    recapture() {
+    capture() {
       presses.forEach((press) => {
         if (press.moved || !press.origin.isConnected) capture(press)
       })
@@ -4733,19 +4714,17 @@ const LONGEST = 1 / 30
 /** Pushes chips aside with the mouse or pen that moves over a stage while nothing is pressed. */
 function followHover(on: Listen, context: Context, pile: StagePile, { isLive }: Lifecycle) {
   const { root, view, settings } = context
-  let known: Place | undefined
-  /** The place of the pointer while it is over the stage. */
-  let last: Place | undefined
+  let place: Place | undefined
+  let over = false
   // The window listens: a stage that lies over a page may let pointers through.
   on(view, 'pointermove', (event: PointerEvent) => {
-    const before = last
-    last = undefined
+    const before = over && place
+    over = false
     if (event.buttons || event.pointerType === 'touch' || !isLive()) return
-    known = placeOf(event, root, known)
-    const { x, y, seconds } = known
-    if (x < 0 || y < 0 || x > context.width || y > context.height) return
-    last = known
-    if (!before) return
+    place = placeOf(event, root, place)
+    const { x, y, seconds } = place
+    over = x >= 0 && y >= 0 && x <= context.width && y <= context.height
+    if (!over || !before) return
     const time = within(seconds - before.seconds, BRIEFEST, LONGEST, LONGEST)
     pile.touch()
     pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, time)
@@ -4783,7 +4762,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const changes = new MutationObserver((records) => {
     for (const { target } of records) restyle(target)
     collect()
-    pointers.recapture()
+    pointers.capture()
     update()
   })
   const queue = createReleaseQueue(settings)
@@ -4816,14 +4795,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   }
 
   function collect() {
-    const { added, gone } = collectChips(root, chips)
-    for (const chip of added) {
+    const gone = collectChips(root, chips)
+    chips.forEach((chip, element) => {
+      if (gone.delete(element)) return
       sizes.add(chip)
       // The chip may have come with the focus.
-      if (chip.element.matches(':focus-within')) focus.on({ target: chip.element })
-    }
+      if (element.matches(':focus-within')) focus.on(element)
+    })
     gone.forEach(sizes.remove)
-    withdraw(gone)
+    withdraw(Array.from(gone.values()))
     obstacles.find()
   }
 
@@ -4879,17 +4859,15 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
     setProps(props: StageProps) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
-      const differs = (name: keyof Settings) => settings[name] !== before[name]
+      const differ = (...names: (keyof Settings)[]) =>
+        names.some((name) => JSON.stringify(settings[name]) !== JSON.stringify(before[name]))
       if (listening) {
-        if (differs('interactive') || differs('push')) listen()
+        if (differ('interactive', 'push')) listen()
         obstacles.find()
       }
       if (!pile.world) return
-      const { x, y } = settings.gravity
-      const turned = x !== before.gravity.x || y !== before.gravity.y
-      if (turned || differs('ceiling') || differs('bounce') || differs('friction'))
-        pile.world.configure(settings)
-      if (differs('stagger')) queue.reschedule()
+      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world.configure(settings)
+      if (differ('stagger')) queue.reschedule()
       update()
     },
 
@@ -5041,10 +5019,7 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
 
 /** Whether a child stays where its own CSS puts it. */
 function isObstacle(child: React.ReactNode) {
-  return (
-    React.isValidElement<{ 'data-static'?: unknown }>(child) &&
-    (child.props['data-static'] ?? false) !== false
-  )
+  return (Object(child).props?.['data-static'] ?? false) !== false
 }
 
 // @refresh reset: in development, an edit anywhere in this file drops the chips again.

@@ -113,10 +113,7 @@ function chipsOf(children: React.ReactNode, path = ''): [key: string, chip: Reac
 
 /** Whether a child stays where its own CSS puts it. */
 function isObstacle(child: React.ReactNode) {
-  return (
-    React.isValidElement<{ 'data-static'?: unknown }>(child) &&
-    (child.props['data-static'] ?? false) !== false
-  )
+  return (Object(child).props?.['data-static'] ?? false) !== false
 }
 
 // @refresh reset: in development, an edit anywhere in this file drops the chips again.

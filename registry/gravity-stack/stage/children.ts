@@ -7,23 +7,17 @@ export function chipAt(chips: Map<Element, Chip>, target: EventTarget | null) {
   return chips.get(node!)
 }
 
-/** Brings `chips` in line with the child elements, in their order; returns the chips that came and went. */
+/** Brings `chips` in line with the child elements, in their order; returns what `chips` held before. */
 export function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   // Chromium takes a waiting chip, clipped to nothing, for out of view: its images would never load.
-  root.querySelectorAll('[loading=lazy]').forEach((lazy) => {
-    lazy.setAttribute('loading', 'eager')
+  root.querySelectorAll<HTMLImageElement>('[loading=lazy]').forEach((lazy) => {
+    lazy.loading = 'eager'
   })
-  const added: Chip[] = []
-  const gone = new Map(chips)
+  const before = new Map(chips)
   chips.clear()
   root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
-    let chip = gone.get(element)
-    if (!chip) {
-      chip = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' } as Chip
-      added.push(chip)
-    }
-    gone.delete(element)
-    chips.set(element, chip)
+    const fresh = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' }
+    chips.set(element, before.get(element) ?? (fresh as Chip))
   })
-  return { added, gone: Array.from(gone.values()) }
+  return before
 }

@@ -29,7 +29,6 @@ export function measureRadius(chip: Chip, changes: MutationObserver) {
   const { element, width, height } = chip
   // The face of a chip is its first child that takes up room: not words for screen readers, not style
   // elements. Mere words have none and are drawn on the wrapper.
-  let face: CSSStyleDeclaration | undefined
   let next: Element | null
   for (let child = element.matches('[data-words]') ? null : element.firstElementChild; child; child = next) {
     const style = getComputedStyle(child)
@@ -38,11 +37,11 @@ export function measureRadius(chip: Chip, changes: MutationObserver) {
     if (/none|contents|absolute|fixed/.test(style.display + style.position)) continue
     // The wrapper is not watched: the stage itself changes its style in every frame.
     changes.observe(child, { attributeFilter: ['class', 'style'] })
-    face = style
-    break
+    chip.radius = cornerRadius(style, width, height)
+    return
   }
-  if (!face) element.style.borderRadius = ''
-  chip.radius = cornerRadius(face ?? getComputedStyle(element), width, height)
+  element.style.borderRadius = ''
+  chip.radius = cornerRadius(getComputedStyle(element), width, height)
 }
 
 /** px, the least of the four corner radii of a style, as nothing drawn may reach out of the body. */
@@ -58,13 +57,6 @@ export function cornerRadius({ borderRadius }: CSSStyleDeclaration, width: numbe
 /** Rounds the wrapper like its chip, so that a click beside a round chip goes to the chip below. */
 export function applyCornerRadius({ element, radius }: Chip) {
   element.style.borderRadius = `${radius}px`
-}
-
-/** px, how far a chip that is drawn at `angle` reaches below its centre. */
-export function halfHeight({ width, height, radius }: Chip, angle: number) {
-  const sin = Math.abs(Math.sin(angle))
-  const cos = Math.abs(Math.cos(angle))
-  return (width / 2 - radius) * sin + (height / 2 - radius) * cos + radius
 }
 
 export function draw(chip: Chip) {

@@ -1,6 +1,6 @@
 import type { Context } from './context'
 import type { Lifecycle } from './lifecycle'
-import { CAPTURE, type Listen, stop } from './listeners'
+import { type Listen, stop } from './listeners'
 import type { StagePile } from './pile'
 import { CONTROL, chipUnder, isInside } from './targets'
 
@@ -13,16 +13,16 @@ export function createClicks({ root, view, chips, update }: Context, pile: Stage
   let dragged = false
 
   function stopAfterDrag(event: PointerEvent) {
-    // A click by a key ends no drag. Firefox takes Enter on a link for a click; older browsers have no type
-    // of pointer.
+    // A click by a key ends no drag: the type of its pointer is empty. In older browsers no click has such a
+    // type, and the detail of a key's click is 0.
     if (!dragged || !(event.pointerType ?? event.detail) || !event.composedPath().includes(root)) return
     dragged = false
     stop(event)
   }
 
-  /** Taps let people move a chip without dragging. */
+  /** A tap lets people move a chip without a drag. */
   function click(event: PointerEvent) {
-    // The window does not learn that a click in a closed shadow tree is in the stage.
+    // If the stage is in a closed shadow tree, the window's listener can't tell that this click is in it.
     stopAfterDrag(event)
     const chip = chipUnder(event, chips)
     if (event.defaultPrevented || !chip || !isLive() || isInside(chip, event, CONTROL)) return
@@ -32,12 +32,12 @@ export function createClicks({ root, view, chips, update }: Context, pile: Stage
 
   return {
     listen(on: Listen) {
-      // Not every drag ends in a click, and the next press may be on a label outside.
-      on(view, 'pointerdown', () => (dragged = false), CAPTURE)
-      on(view, 'click', stopAfterDrag, CAPTURE)
-      on(root, 'click', click, CAPTURE)
+      // A drag that ends without a click stops no click of the next press, which may be outside of the stage.
+      on(view, 'pointerdown', () => (dragged = false))
+      on(view, 'click', stopAfterDrag)
+      on(root, 'click', click)
     },
-    /** A drag has ended. */
+    /** A drag has ended: the click that follows it is stopped. */
     stopNext() {
       dragged = true
     },

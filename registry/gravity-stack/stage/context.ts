@@ -17,7 +17,7 @@ export interface Context {
   settings: Settings
   /** The chips by their elements, in the order of these. */
   chips: Map<Element, Chip>
-  /** px, size of the stage; zero while it has none. Written by `sizes`. */
+  /** px, size of the stage, written by `sizes`. The width is 0 while it has none. */
   width: number
   height: number
   /** Brings the state in line with all that is known. Every event ends in it. */

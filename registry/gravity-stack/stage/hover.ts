@@ -15,19 +15,17 @@ export const LONGEST = 1 / 30
 /** Pushes chips aside with the mouse or pen that moves over a stage while nothing is pressed. */
 export function followHover(on: Listen, context: Context, pile: StagePile, { isLive }: Lifecycle) {
   const { root, view, settings } = context
-  let known: Place | undefined
-  /** The place of the pointer while it is over the stage. */
-  let last: Place | undefined
+  let place: Place | undefined
+  let over = false
   // The window listens: a stage that lies over a page may let pointers through.
   on(view, 'pointermove', (event: PointerEvent) => {
-    const before = last
-    last = undefined
+    const before = over && place
+    over = false
     if (event.buttons || event.pointerType === 'touch' || !isLive()) return
-    known = placeOf(event, root, known)
-    const { x, y, seconds } = known
-    if (x < 0 || y < 0 || x > context.width || y > context.height) return
-    last = known
-    if (!before) return
+    place = placeOf(event, root, place)
+    const { x, y, seconds } = place
+    over = x >= 0 && y >= 0 && x <= context.width && y <= context.height
+    if (!over || !before) return
     const time = within(seconds - before.seconds, BRIEFEST, LONGEST, LONGEST)
     pile.touch()
     pile.world!.push(settings.push, before.x, before.y, x - before.x, y - before.y, time)

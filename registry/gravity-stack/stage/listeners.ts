@@ -1,6 +1,3 @@
-/** Listens before handlers on the way to the target, which may keep the event to themselves. */
-export const CAPTURE = { capture: true }
-
 export type Listen = (
   target: EventTarget,
   type: string,
@@ -8,10 +5,13 @@ export type Listen = (
   options?: object,
 ) => void
 
-/** Returns a function that adds listeners; all of them end with `controller`. */
+/**
+ * Returns a function that adds listeners; all of them end with `controller`. Unless `options` say otherwise a
+ * listener hears an event before those on the way to its target, which may keep it to themselves.
+ */
 export function listenUntil({ signal }: AbortController): Listen {
   return (target, type, handler, options) =>
-    target.addEventListener(type, handler as EventListener, { signal, ...options })
+    target.addEventListener(type, handler as EventListener, { signal, capture: true, ...options })
 }
 
 /** Keeps the browser, and handlers further on the way, from doing anything with an event. */

@@ -6,17 +6,18 @@ import { warn } from './props'
 import { EVERY_PERCENT } from './visibility'
 
 /**
- * px (and rad) by which an obstacle may change unnoticed: a page that scrolls rounds places, and is to wake
- * no pile (D-050).
+ * px (and rad) by which an obstacle may change unnoticed. Scrolling rounds the places of elements, and must
+ * wake no pile (D-050).
  */
 const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** In the world, or -1, and as what: x, y, angle, width, height, radius, or nothing. */
+  /** Of its body in the world, or -1. */
   id: number
-  placed: number[]
-  /** Sees the element move or change its size. */
+  /** The body's x, y, angle, width, height and radius, and 1 if the stage has room for it. */
+  placed?: number[]
+  /** Tells when the element moves or changes its size. */
   watch?: IntersectionObserver
 }
 
@@ -49,13 +50,13 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
   const all = new Map<Element, ObstacleElement>()
 
   /**
-   * Has `measure` called once the element is drawn elsewhere: the observer sees no more of the page than the
-   * element's own box.
+   * Has `measure` called once the element is drawn elsewhere. The observer looks at the element's present box
+   * alone, and any move changes what share of the element is in that box.
    */
   function watchPlace(element: Element, obstacle: ObstacleElement, { x, y, right, bottom }: DOMRect) {
     const { clientWidth, clientHeight } = root.ownerDocument.documentElement
     const insets = [y, clientWidth - right, clientHeight - bottom, x].map((inset) => -Math.floor(inset))
-    // Of what is out of view all that can be seen is that it comes in.
+    // Of an element out of view an observer only tells that the element comes into view.
     const hidden = y > clientHeight || x > clientWidth || bottom < 0 || right < 0
     let first = true
     obstacle.watch?.disconnect()
@@ -81,17 +82,17 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
     const box = root.getBoundingClientRect()
     if (!(box.width * box.height)) return
     const toStage = pointerMap(root, box)
-    let any = false
     all.forEach((obstacle, element) => {
       const rect = element.getBoundingClientRect()
       watchPlace(element, obstacle, rect)
       const style = getComputedStyle(element)
       const own = new DOMMatrix(style.transform)
-      // Rounded, as engines disagree on the last bits.
-      const turned = Math.atan2(own.b, own.a) + ((Number.parseFloat(style.rotate) || 0) * Math.PI) / 180
-      const angle = Math.round(turned * 1e4) / 1e4
-      // The box around what is turned is larger than that, and has the same middle.
-      const scale = Math.hypot(own.a, own.b) * (Number.parseFloat(style.scale) || 1)
+        .rotate(Number.parseFloat(style.rotate) || 0)
+        .scale(Number.parseFloat(style.scale) || 1)
+      // The angle is rounded, as engines disagree on its last bits.
+      const angle = Math.round(Math.atan2(own.b, own.a) * 1e4) / 1e4
+      // The bounding box of a turned element is larger than the element, and has the same middle.
+      const scale = Math.hypot(own.a, own.b)
       const { offsetWidth, offsetHeight } = element as HTMLElement
       const unit = Math.hypot(toStage.a, toStage.b)
       const width = angle ? scale * offsetWidth : unit * rect.width
@@ -101,34 +102,31 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
         y: rect.y + rect.height / 2 - box.y,
       })
       const radius = cornerRadius(style, width, height)
-      const large = width >= root.clientWidth && height >= root.clientHeight
-      const body = width * height > 0 && !large ? [x, y, angle, width, height, radius] : []
+      const fits = width < root.clientWidth || height < root.clientHeight
       if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
-      const { placed } = obstacle
-      if (body.length === placed.length && body.every((n, i) => Math.abs(n - placed[i]!) < UNNOTICED)) return
-      any = true
-      obstacle.placed = body
+      const place = [x, y, angle, width, height, radius, +fits]
+      if (obstacle.placed?.every((n, i) => Math.abs(n - place[i]!) < UNNOTICED)) return
+      obstacle.placed = place
       world.remove(obstacle.id)
-      obstacle.id = body.length ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
+      obstacle.id =
+        fits && width * height ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
-    if (any) pile.makeRoom()
+    pile.makeRoom()
   }
 
-  return {
+  const obstacles = {
     measure,
 
-    /** The pile has a new world, which knows none of the obstacles yet. */
+    /** Puts all obstacles into a new world of the pile. */
     enter() {
-      all.forEach((obstacle) => {
-        obstacle.id = -1
-        obstacle.placed = []
-      })
-      measure()
+      obstacles.stop()
+      all.clear()
+      obstacles.find()
     },
 
     /** Looks for obstacles anew. */
     find() {
-      const refs = settings.obstacles ? [settings.obstacles].flat().map((ref) => ref?.current) : []
+      const refs = [settings.obstacles || []].flat().map((ref) => ref?.current)
       const elements = refs.filter((element) => element instanceof view.Element)
       if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
         warn(
@@ -136,7 +134,6 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
         )
       elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0
-      let fresh = false
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()
@@ -144,28 +141,26 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
         all.delete(element)
         pile.makeRoom()
       })
+      const known = all.size
       for (const element of elements) {
         if (element.contains(root)) {
           if (process.env.NODE_ENV !== 'production')
             warn(
               'an obstacle is the stage itself or around it, so chips fall through it. Pass elements beside the stage, or give children data-static.',
             )
-        } else if (!all.get(element)?.watch) {
-          fresh = true
-          all.set(element, all.get(element) ?? { id: -1, placed: [] })
-        }
+        } else if (!all.has(element)) all.set(element, { id: -1 })
       }
-      if (fresh) measure()
+      if (all.size > known) measure()
     },
 
-    /** Watches nothing any more, until it is told again what the obstacles are. */
+    /** Ends all observers, until the obstacles are measured again. */
     stop() {
-      all.forEach((obstacle) => {
-        obstacle.watch?.disconnect()
-        delete obstacle.watch
+      all.forEach(({ watch }) => {
+        watch?.disconnect()
       })
     },
   }
+  return obstacles
 }
 
 export type Obstacles = ReturnType<typeof createObstacles>

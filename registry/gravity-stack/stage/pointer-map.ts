@@ -3,10 +3,10 @@
  * stage and of the elements around it do together.
  */
 export function pointerMap(root: HTMLElement, box: DOMRect) {
-  const probes = [0, 1, 2].map((i) => {
+  const probes = ['0,0', '100px,0', '0,100px'].map((offset) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
     // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
-    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${i === 1 ? 100 : 0}px,${i === 2 ? 100 : 0}px)`
+    probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${offset})`
     return probe
   })
   // All probes are written before any is read, for one layout.

@@ -4,7 +4,7 @@ import type { Clicks } from './clicks'
 import type { Context } from './context'
 import type { Focus } from './focus'
 import type { Lifecycle } from './lifecycle'
-import { CAPTURE, type Listen, listenUntil, stop } from './listeners'
+import { type Listen, listenUntil, stop } from './listeners'
 import type { StagePile } from './pile'
 import { type Place, placeOf } from './pointer-map'
 import { chipUnder, EDITABLE, isInside, isOnScrollBar } from './targets'
@@ -20,7 +20,6 @@ const DRAG_START = 4
 /** A pointer that is down on a chip. It holds the chip once there is a grab. */
 interface Press {
   chip: Chip
-  down: PointerEvent
   /** The last event of the pointer. */
   at: PointerEvent
   place: Place
@@ -32,15 +31,14 @@ interface Press {
   offY: number
   /** The element that the pointer went down on. */
   origin: Element
-  touch: boolean
   moved?: boolean
   timer?: ReturnType<typeof setTimeout>
   grab?: Grab
 }
 
-function capture({ chip, down }: Press) {
+function capture({ chip, at }: Press) {
   try {
-    chip.element.setPointerCapture(down.pointerId)
+    chip.element.setPointerCapture(at.pointerId)
   } catch {
     // A pointer that is gone, or that a script has made up, can't be captured.
   }
@@ -76,12 +74,12 @@ export function createPointers(
     pressing = new AbortController()
     const on = listenUntil(pressing)
     // No link in a chip, and no draggable element around the stage, is dragged along.
-    on(view, 'dragstart', stop, CAPTURE)
-    on(view, 'pointermove', move, CAPTURE)
-    on(view, 'scroll', follow, CAPTURE)
-    on(view, 'pointerup', up, CAPTURE)
-    on(view, 'pointercancel', up, CAPTURE)
-    on(view, 'lostpointercapture', up, CAPTURE)
+    on(view, 'dragstart', stop)
+    on(view, 'pointermove', move)
+    on(view, 'scroll', follow)
+    on(view, 'pointerup', up)
+    on(view, 'pointercancel', up)
+    on(view, 'lostpointercapture', up)
   }
 
   const holds = () => root.querySelector('[data-state=held]')
@@ -102,11 +100,9 @@ export function createPointers(
     const chip = chipUnder(event, chips)
     if (!chip || !isLive() || event.button || event.ctrlKey) return
     if (isInside(chip, event, EDITABLE) || isOnScrollBar(event)) return
-    const touch = event.pointerType === 'touch'
     const place = placeOf(event, root)
     const press: Press = {
       chip,
-      down: event,
       at: event,
       place,
       origin: event.target as Element,
@@ -114,11 +110,10 @@ export function createPointers(
       fromY: event.clientY,
       offX: place.x - chip.x,
       offY: place.y - chip.y,
-      touch,
     }
     if (!presses.size) listenToPointers()
     presses.set(event.pointerId, press)
-    if (touch) {
+    if (event.pointerType === 'touch') {
       press.timer = setTimeout(hold, TOUCH_HOLD, press)
       // Touches stay with their element: if it is taken off the page, they no longer reach the stage.
       listenUntil(pressing!)(press.origin, 'touchmove', scroll, { passive: false })
@@ -159,7 +154,10 @@ export function createPointers(
     press.at = event
     const dx = event.clientX - press.fromX
     const dy = event.clientY - press.fromY
-    if (!press.moved && Math.hypot(dx, dy) > (press.touch ? TOUCH_DRAG_START : DRAG_START)) {
+    if (
+      !press.moved &&
+      Math.hypot(dx, dy) > (event.pointerType === 'touch' ? TOUCH_DRAG_START : DRAG_START)
+    ) {
       // A finger that moves up or down first is to scroll the page.
       if (!press.grab && Math.abs(dy) > Math.abs(dx)) return letGo(press)
       press.moved = true
@@ -186,7 +184,7 @@ export function createPointers(
   }
 
   function letGo(press: Press) {
-    presses.delete(press.down.pointerId)
+    presses.delete(press.at.pointerId)
     if (!presses.size) pressing!.abort()
     clearTimeout(press.timer)
     if (press.moved) clicks.stopNext()
@@ -198,14 +196,14 @@ export function createPointers(
 
   return {
     listen(on: Listen) {
-      on(root, 'pointerdown', down)
+      on(root, 'pointerdown', down, { capture: false })
       // Browsers ask before a finger comes down whether anybody listens to touches, so these two are there
       // from the start.
-      on(view, 'touchstart', pinch, CAPTURE)
+      on(view, 'touchstart', pinch)
       on(root, 'touchmove', scroll, { passive: false })
     },
     /** Captures pointers again: an element that React moves to another place loses them. */
-    recapture() {
+    capture() {
       presses.forEach((press) => {
         if (press.moved || !press.origin.isConnected) capture(press)
       })

@@ -34,8 +34,6 @@ export type Settings = Omit<StageProps, 'gravity'> & {
   [name in keyof typeof LIMITS as Exclude<name, 'gravity'>]: number
 } & {
   gravity: Vector
-  /** px/s², the length of `gravity`. */
-  pull: number
 }
 
 declare const process: { env: { NODE_ENV?: string } }
@@ -85,24 +83,23 @@ function checkedGravity(value: unknown): Vector {
 /** The settings that hold for what a caller gave. */
 export function checkedProps(given: StageProps): Settings {
   const settings = { ...given } as Settings
-  for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const) {
-    settings[name] = !!given[name]
-    if (process.env.NODE_ENV !== 'production' && typeof given[name] !== 'boolean')
-      warn(
-        `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
-      )
-  }
+  settings.interactive = !!given.interactive
+  if (process.env.NODE_ENV !== 'production')
+    for (const name of ['interactive', 'upright', 'initial', 'ceiling'] as const)
+      if (typeof given[name] !== 'boolean')
+        warn(
+          `${name} is ${written(given[name])}, which is neither true nor false, so it counts as ${!!given[name]}. Pass true or false.`,
+        )
   for (const name of ['bounce', 'friction', 'stagger', 'push'] as const)
     settings[name] = checkedNumber(name, given[name])
-  const { x, y } = checkedGravity(given.gravity)
-  settings.gravity = { x, y }
-  settings.pull = Math.hypot(x, y)
+  settings.gravity = checkedGravity(given.gravity)
+  const pointsUp = settings.gravity.y < 0
   // All that falls up would leave for good.
-  if (process.env.NODE_ENV !== 'production' && y < 0 && !given.ceiling)
+  if (process.env.NODE_ENV !== 'production' && pointsUp && !given.ceiling)
     warn(
       'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
     )
-  settings.ceiling ||= y < 0
+  settings.ceiling = !!given.ceiling || pointsUp
   if (typeof given.onSettle !== 'function') {
     settings.onSettle = undefined
     // `ready && save` is how people leave a callback out.

@@ -1,4 +1,3 @@
-import { chipAt } from './children'
 import type { Chip } from './chip'
 import type { Context } from './context'
 import type { Focus } from './focus'
@@ -18,7 +17,7 @@ export function createSizes(
   let watching = false
   const observer = new view.ResizeObserver((entries) => {
     for (const { target, contentRect } of entries) {
-      const chip = chipAt(chips, target)
+      const chip = chips.get(target)
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
       else if (target === root) readStageSize()
     }
@@ -28,10 +27,10 @@ export function createSizes(
   })
 
   function readStageSize() {
-    const appeared = !(context.width * context.height)
-    context.width = root.clientWidth
+    const appeared = !context.width
     context.height = root.clientHeight
-    if (!(context.width * context.height)) return
+    context.width = context.height && root.clientWidth
+    if (!context.width) return
     resize(appeared)
     // A chip that has lost its size while the stage had none had none to lose.
     if (appeared)
@@ -43,7 +42,7 @@ export function createSizes(
   function setChipSize(chip: Chip, width: number, height: number) {
     if (width * height) return pile.setSize(chip, width, height)
     // A chip keeps its place while it is hidden with its stage, and while its content has the whole screen.
-    if (!(context.width * context.height) || chip.element.querySelector(':fullscreen')) return
+    if (!context.width || chip.element.querySelector(':fullscreen')) return
     if (process.env.NODE_ENV !== 'production')
       warn('a chip has no size, so it waits. Give it content, or a width and a height, and it falls.')
     chip.width = 0

@@ -44,7 +44,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   const changes = new MutationObserver((records) => {
     for (const { target } of records) restyle(target)
     collect()
-    pointers.recapture()
+    pointers.capture()
     update()
   })
   const queue = createReleaseQueue(settings)
@@ -77,14 +77,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   }
 
   function collect() {
-    const { added, gone } = collectChips(root, chips)
-    for (const chip of added) {
+    const gone = collectChips(root, chips)
+    chips.forEach((chip, element) => {
+      if (gone.delete(element)) return
       sizes.add(chip)
       // The chip may have come with the focus.
-      if (chip.element.matches(':focus-within')) focus.on({ target: chip.element })
-    }
+      if (element.matches(':focus-within')) focus.on(element)
+    })
     gone.forEach(sizes.remove)
-    withdraw(gone)
+    withdraw(Array.from(gone.values()))
     obstacles.find()
   }
 
@@ -140,17 +141,15 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
     setProps(props: StageProps) {
       const before = { ...settings }
       Object.assign(settings, checkedProps(props))
-      const differs = (name: keyof Settings) => settings[name] !== before[name]
+      const differ = (...names: (keyof Settings)[]) =>
+        names.some((name) => JSON.stringify(settings[name]) !== JSON.stringify(before[name]))
       if (listening) {
-        if (differs('interactive') || differs('push')) listen()
+        if (differ('interactive', 'push')) listen()
         obstacles.find()
       }
       if (!pile.world) return
-      const { x, y } = settings.gravity
-      const turned = x !== before.gravity.x || y !== before.gravity.y
-      if (turned || differs('ceiling') || differs('bounce') || differs('friction'))
-        pile.world.configure(settings)
-      if (differs('stagger')) queue.reschedule()
+      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world.configure(settings)
+      if (differ('stagger')) queue.reschedule()
       update()
     },
 

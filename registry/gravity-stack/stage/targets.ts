@@ -1,3 +1,4 @@
+import { chipAt } from './children'
 import type { Chip } from './chip'
 
 /** Elements that use presses themselves, so that no drag of their chip begins there (D-066). */
@@ -5,8 +6,11 @@ export const EDITABLE =
   'input, textarea, select, [controls], [contenteditable]:not([contenteditable=false]), [role=slider], [data-slot=slider], [data-no-grab]'
 /** Elements that use clicks themselves, so that their chip does not hop (D-066). */
 export const CONTROL = `${EDITABLE}, a, button, label, summary, [tabindex]`
-/** Elements that the browser draws over the page, outside of the chip that holds them (D-066). */
-const OVERLAY = ':is(dialog, [popover], :fullscreen)'
+/**
+ * Elements inside a chip whose presses are not about it: the chips of a stage in it, and what the browser
+ * draws over the page (D-066).
+ */
+const OVERLAY = 'dialog, [popover], :fullscreen, [data-slot=gravity-stack-chip]'
 
 /** Whether an event is about an element of a kind inside the chip, in a shadow tree too. */
 export function isInside({ element }: Chip, event: Event, kind: string) {
@@ -14,9 +18,9 @@ export function isInside({ element }: Chip, event: Event, kind: string) {
   return path.slice(0, path.indexOf(element)).some((inner) => inner.matches?.(kind))
 }
 
-/** The chip in the world that an event is about. In a stage inside a chip that is the inner chip. */
+/** The chip in the world that an event is about. */
 export function chipUnder(event: Event, chips: Map<Element, Chip>) {
-  const chip = chips.get((event.target as Element).closest('[data-slot=gravity-stack-chip]')!)
+  const chip = chipAt(chips, event.target)
   return chip && chip.id >= 0 && !isInside(chip, event, OVERLAY) ? chip : undefined
 }
 

@@ -23,9 +23,9 @@ function shownAtMost({ target: root, rootBounds, boundingClientRect: whole }: In
   // it.
   let wide = Math.min(rootBounds?.width ?? Infinity, defaultView!.innerWidth)
   let high = Math.min(rootBounds?.height ?? Infinity, defaultView!.innerHeight)
-  for (let node = above(root); node; node = above(node)) {
-    // The overflow of the body applies to the window.
-    if (node === body || !/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
+  // The overflow of the body applies to the window.
+  for (let node = above(root); node && node !== body; node = above(node)) {
+    if (!/auto|scroll|hidden|clip/.test(getComputedStyle(node).overflow)) continue
     wide = Math.min(wide, node.clientWidth)
     high = Math.min(high, node.clientHeight)
   }
@@ -57,8 +57,8 @@ export function createVisibility({ root, view, update }: Context, approach: () =
     visibility.wasInView ||= isIntersecting
     const area = shown.width * shown.height
     // Without a size the ratio is 1 as soon as the stage is anywhere in view.
-    if (!visibility.started && area)
-      visibility.started = intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry)
+    visibility.started ||=
+      area > 0 && (intersectionRatio >= IN_VIEW || area > FILLS_VIEW * shownAtMost(entry))
     clearTimeout(timer)
     if (isIntersecting && !(whole.width * whole.height)) {
       const { clientWidth, clientHeight } = root
