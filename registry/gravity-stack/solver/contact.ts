@@ -1,7 +1,5 @@
 import { isObstacleBody, isStatic } from './body'
-import { IMPACT_TOLERANCE, SLOW_CONTACT } from './constants'
 import {
-  ACROSS,
   ARM_AX,
   ARM_AY,
   ARM_BX,
@@ -12,6 +10,7 @@ import {
   FEATURE,
   GAP,
   GAP_NOW,
+  grazes,
   LEAD,
   MANIFOLD_NX,
   MANIFOLD_NY,
@@ -160,28 +159,57 @@ export function warmStart({ bodies, contacts }: Simulation, c: number, sign: num
 }
 
 /**
- * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The
- * corner of a box sags a little into the surface that it slides on: it would trip over the side of the next
- * box in a level row.
+ * Hands the impulses of contact `c` on to the points that `collide` has found: an impulse stays with the
+ * corner that made its point, and that of a point that is gone goes to the one that is left. Returns whether
+ * the points are still the same.
  */
-function grazes({ state }: Bodies, a: number, b: number): boolean {
-  const vx = state[b * STATE + VX] - state[a * STATE + VX]
-  const vy = state[b * STATE + VY] - state[a * STATE + VY]
-  const approach = -manifold[MANIFOLD_NX] * vx - manifold[MANIFOLD_NY] * vy
-  const speed = Math.sqrt(vx * vx + vy * vy)
-  // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
-  return manifold[ACROSS] < IMPACT_TOLERANCE && speed > SLOW_CONTACT && approach > IMPACT_TOLERANCE * speed
+function matchImpulses(contacts: Contacts, c: number): boolean {
+  const { data: d, points } = contacts
+  const k = c * CONTACT
+  const k2 = k + SECOND
+  const had = points[c]
+  const count = manifold[COUNT]
+  points[c] = count
+  if (count === 0) {
+    d[k + NORMAL_IMPULSE] = d[k2 + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
+    return false
+  }
+  const load = normalImpulse(contacts, c)
+  const corner1 = manifold[FEATURE]
+  const corner2 = count > 1 ? manifold[POINT + FEATURE] : -1
+  const stays = d[k + FEATURE_ID] === corner1
+  const becomesSecond = d[k + FEATURE_ID] === corner2
+  const swapped = becomesSecond || d[k2 + FEATURE_ID] === corner1
+  // Of one point that is neither of two new ones, each gets half.
+  let first = stays ? d[k + NORMAL_IMPULSE] : load / 2
+  if (becomesSecond) first = 0
+  if (had > 1) first = d[(swapped ? k2 : k) + NORMAL_IMPULSE]
+  if (count === 1) first = load
+  d[k + NORMAL_IMPULSE] = first
+  d[k2 + NORMAL_IMPULSE] = load - first
+  d[k + FEATURE_ID] = corner1
+  d[k2 + FEATURE_ID] = corner2
+  return had === count && stays
+}
+
+/** Torque on body B of the impulses of contact `c`, with the arms that it was measured with. */
+function torqueOnB({ data: d }: Contacts, c: number): number {
+  const k = c * CONTACT
+  return (
+    d[k + ARM_NB] * d[k + NORMAL_IMPULSE] +
+    d[k + SECOND + ARM_NB] * d[k + SECOND + NORMAL_IMPULSE] +
+    d[k + ARM_TB] * d[k + TANGENT_IMPULSE]
+  )
 }
 
 /**
  * Measures contact `c` afresh at the present poses, as wide as `manifold[WIDEST]` and, at a wall,
- * `manifold[LEAD]` seconds ahead. Impulses stay with the points that made them; those of a point that is gone
- * go to the one that is left.
+ * `manifold[LEAD]` seconds ahead.
  */
 export function updateContact(simulation: Simulation, c: number): void {
   const { bodies, contacts, work } = simulation
   const { state, motion } = bodies
-  const { data: d, due, points } = contacts
+  const { data: d, due } = contacts
   const a = contacts.pair[2 * c] & INDEX
   const b = contacts.pair[2 * c + 1] & INDEX
   const wall = isStatic(bodies, a)
@@ -196,13 +224,10 @@ export function updateContact(simulation: Simulation, c: number): void {
   work[MANIFOLDS_MADE]++
   const k = c * CONTACT
   const k2 = k + SECOND
-  const had = points[c]
-  const n1 = d[k + NORMAL_IMPULSE]
-  const n2 = d[k2 + NORMAL_IMPULSE]
-  const sum = n1 + n2
-  if (a >= FIRST_CHIP && sum === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
-  const torque = d[k + ARM_NB] * n1 + d[k2 + ARM_NB] * n2 + d[k + ARM_TB] * d[k + TANGENT_IMPULSE]
-  if (sum > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
+  const load = normalImpulse(contacts, c)
+  if (a >= FIRST_CHIP && load === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
+  const oldTorque = torqueOnB(contacts, c)
+  if (load > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
   d[k + ARM_LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
@@ -212,74 +237,56 @@ export function updateContact(simulation: Simulation, c: number): void {
   d[k + FROM_Y] = dy
   d[k + FROM_A] = angleA
   d[k + FROM_B] = angleB
+  const same = matchImpulses(contacts, c)
   const count = manifold[COUNT]
-  points[c] = count
-  if (count === 0) {
-    d[k + NORMAL_IMPULSE] = d[k2 + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
-    return
-  }
+  if (count === 0) return
 
-  const f1 = manifold[FEATURE]
-  const f2 = count > 1 ? manifold[POINT + FEATURE] : -1
-  const same = d[k + FEATURE_ID] === f1
-  const crossed = d[k + FEATURE_ID] === f2
-  const swapped = crossed || d[k2 + FEATURE_ID] === f1
-  const first = had > 1 ? (swapped ? n2 : n1) : crossed ? 0 : same ? n1 : sum / 2
-  d[k + NORMAL_IMPULSE] = count === 1 ? sum : first
-  d[k2 + NORMAL_IMPULSE] = sum - d[k + NORMAL_IMPULSE]
-  d[k + FEATURE_ID] = f1
-  d[k2 + FEATURE_ID] = f2
-
-  const nx = manifold[MANIFOLD_NX]
-  const ny = manifold[MANIFOLD_NY]
-  const iia = state[a * STATE + INV_INERTIA]
-  const iib = state[b * STATE + INV_INERTIA]
-  const im = state[a * STATE + INV_MASS] + state[b * STATE + INV_MASS]
-  d[k + NORMAL_X] = nx
-  d[k + NORMAL_Y] = ny
+  const normalX = manifold[MANIFOLD_NX]
+  const normalY = manifold[MANIFOLD_NY]
+  const invInertiaA = state[a * STATE + INV_INERTIA]
+  const invInertiaB = state[b * STATE + INV_INERTIA]
+  const invMass = state[a * STATE + INV_MASS] + state[b * STATE + INV_MASS]
+  d[k + NORMAL_X] = normalX
+  d[k + NORMAL_Y] = normalY
   for (let n = 0; n < count; n++) {
     const m = n * POINT
     const p = k + n * SECOND
-    const na = manifold[m + ARM_AX] * ny - manifold[m + ARM_AY] * nx
-    const nb = manifold[m + ARM_BX] * ny - manifold[m + ARM_BY] * nx
-    d[p + ARM_NA] = na
-    d[p + ARM_NB] = nb
-    d[p + BASE_SEPARATION] = manifold[m + GAP] - nx * dx - ny * dy - nb * (angleB + turned) + na * angleA
-    d[p + NORMAL_K] = im + iia * na * na + iib * nb * nb
+    const armA = manifold[m + ARM_AX] * normalY - manifold[m + ARM_AY] * normalX
+    const armB = manifold[m + ARM_BX] * normalY - manifold[m + ARM_BY] * normalX
+    d[p + ARM_NA] = armA
+    d[p + ARM_NB] = armB
+    d[p + BASE_SEPARATION] =
+      manifold[m + GAP] - normalX * dx - normalY * dy - armB * (angleB + turned) + armA * angleA
+    d[p + NORMAL_K] = invMass + invInertiaA * armA * armA + invInertiaB * armB * armB
   }
   let gap = manifold[GAP]
-  let ta = manifold[ARM_AX] * nx + manifold[ARM_AY] * ny
-  let tb = manifold[ARM_BX] * nx + manifold[ARM_BY] * ny
+  let armA = manifold[ARM_AX] * normalX + manifold[ARM_AY] * normalY
+  let armB = manifold[ARM_BX] * normalX + manifold[ARM_BY] * normalY
   if (count > 1) {
     // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels
     // away.
-    const share = sum > 0 ? d[k2 + NORMAL_IMPULSE] / sum : manifold[POINT + GAP] < gap ? 1 : 0
+    const share = load > 0 ? d[k2 + NORMAL_IMPULSE] / load : manifold[POINT + GAP] < gap ? 1 : 0
     gap += share * (manifold[POINT + GAP] - gap)
-    ta += share * (manifold[POINT + ARM_AX] * nx + manifold[POINT + ARM_AY] * ny - ta)
-    tb += share * (manifold[POINT + ARM_BX] * nx + manifold[POINT + ARM_BY] * ny - tb)
-    const k12 = im + iia * d[k + ARM_NA] * d[k2 + ARM_NA] + iib * d[k + ARM_NB] * d[k2 + ARM_NB]
-    const kk = d[k + NORMAL_K] * d[k2 + NORMAL_K]
-    const det = kk - k12 * k12
-    d[k + COUPLING_K] = k12
-    d[k + INV_DET] = det > 0.001 * kk ? 1 / det : 0
+    armA += share * (manifold[POINT + ARM_AX] * normalX + manifold[POINT + ARM_AY] * normalY - armA)
+    armB += share * (manifold[POINT + ARM_BX] * normalX + manifold[POINT + ARM_BY] * normalY - armB)
+    const coupling =
+      invMass + invInertiaA * d[k + ARM_NA] * d[k2 + ARM_NA] + invInertiaB * d[k + ARM_NB] * d[k2 + ARM_NB]
+    const product = d[k + NORMAL_K] * d[k2 + NORMAL_K]
+    const determinant = product - coupling * coupling
+    d[k + COUPLING_K] = coupling
+    d[k + INV_DET] = determinant > 0.001 * product ? 1 / determinant : 0
   }
   // Midway between the surfaces of two chips: friction across a gap would turn what it pushes.
   if (!wall) {
-    ta += gap / 2
-    tb -= gap / 2
+    armA += gap / 2
+    armB -= gap / 2
   }
-  d[k + ARM_TA] = ta
-  d[k + ARM_TB] = tb
-  d[k + TANGENT_MASS] = 1 / (im + iia * ta * ta + iib * tb * tb)
-  if (sum > 0) {
+  d[k + ARM_TA] = armA
+  d[k + ARM_TB] = armB
+  d[k + TANGENT_MASS] = 1 / (invMass + invInertiaA * armA * armA + invInertiaB * armB * armB)
+  if (load > 0) {
     // Over the sub-step the warm start acts with arms half way between the old ones and these.
-    if (wall && had === count && same) {
-      const now =
-        d[k + ARM_NB] * d[k + NORMAL_IMPULSE] +
-        d[k2 + ARM_NB] * d[k2 + NORMAL_IMPULSE] +
-        tb * d[k + TANGENT_IMPULSE]
-      d[k + ARM_LAG] = 0.5 * iib * (torque - now)
-    }
+    if (wall && same) d[k + ARM_LAG] = 0.5 * invInertiaB * (oldTorque - torqueOnB(contacts, c))
     warmStart(simulation, c, 1)
   }
 }
@@ -309,28 +316,31 @@ export function separationAndRate({ bodies, contacts }: Simulation, c: number, p
 }
 
 /**
- * px/s that field `axis` of the velocity of body B of contact `c` gains on that of body A over the sub-step,
- * by the contacts that already push and by gravity, which cancels out of two that fall.
+ * px/s, what gravity and the contacts that already push add over the sub-step to the relative velocity of the
+ * bodies of contact `c`: along the normal, or `across` it, at the point whose arms are at place `arms`.
+ * Gravity cancels out of two that fall.
  */
-export function relativeGain({ bodies, contacts, gravity, h }: Simulation, c: number, axis: number): number {
-  const a = contacts.pair[2 * c] & INDEX
+export function rateGain(
+  { bodies, contacts, gravity, h }: Simulation,
+  c: number,
+  arms: number,
+  across: boolean,
+): number {
   const { motion } = bodies
-  const gain = motion[(contacts.pair[2 * c + 1] & INDEX) * MOTION + axis] - motion[a * MOTION + axis]
-  return gain + (isStatic(bodies, a) ? gravity[axis] * h : 0)
-}
-
-/** px/s, `relativeGain` along the normal, at the point at place `p` of contact `c`. */
-export function rateGain(simulation: Simulation, c: number, p: number): number {
-  const { data: d, pair } = simulation.contacts
-  const m = simulation.bodies.motion
+  const { data: d, pair } = contacts
   const k = (c & INDEX) * CONTACT
-  const a = (pair[2 * c] & INDEX) * MOTION
+  const bodyA = pair[2 * c] & INDEX
+  const a = bodyA * MOTION
   const b = (pair[2 * c + 1] & INDEX) * MOTION
+  const pulled = isStatic(bodies, bodyA) ? h : 0
+  const x = motion[b + WARM_X] - motion[a + WARM_X] + gravity[X] * pulled
+  const y = motion[b + WARM_Y] - motion[a + WARM_Y] + gravity[Y] * pulled
+  const nx = d[k + NORMAL_X]
+  const ny = d[k + NORMAL_Y]
   return (
-    d[k + NORMAL_X] * relativeGain(simulation, c, X) +
-    d[k + NORMAL_Y] * relativeGain(simulation, c, Y) +
-    d[p + ARM_NB] * m[b + WARM_SPIN] -
-    d[p + ARM_NA] * m[a + WARM_SPIN]
+    (across ? nx * y - ny * x : nx * x + ny * y) +
+    d[arms + 1] * motion[b + WARM_SPIN] -
+    d[arms] * motion[a + WARM_SPIN]
   )
 }
 

@@ -98,23 +98,26 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
     const pulled = state[s + INV_MASS] > 0 ? 1 : 0
     const gx = pulled * gravity[X]
     const gy = pulled * gravity[Y]
+    // Rolling resistance is an impulse against the spin, limited by the load as friction is. A disc at rest
+    // has twice the resistance, or it would creep on a slope at the limit for ever.
+    const load = Math.abs(warmX) + Math.abs(warmY)
+    const slowness = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
+    const roundness = shape[i * SHAPE + RADIUS] / extent
+    const limit = (rolling * (1 + slowness * roundness) * load) / extent
+    // A supported body starts from its last impulse, or a disc on a slope would creep. One balanced on one
+    // point starts from none: its spin is damped, not held.
+    const last = motion[m + ROLLING_IMPULSE] * supported[i]
+    const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
+    const freeSpin = spinAir.fade * spin + warmSpin
+    const resistance = Math.max(-limit, Math.min(limit, last - share * (freeSpin + last)))
+    motion[m + ROLLING_IMPULSE] = resistance
     // A constant force moves a body by half the sub-step times the velocity that it adds.
     motion[m + DELTA_X] = air.reach * vx + gx * air.fall + 0.5 * h * warmX
     motion[m + DELTA_Y] = air.reach * vy + gy * air.fall + 0.5 * h * warmY
-    // Rolling resistance starts from its last impulse, or a disc on a slope would creep.
-    // A disc at rest has twice the resistance, or it would creep on a slope at the limit for ever.
-    const slow = Math.max(0, 1 - (Math.abs(spin) * extent) / SLOW_CONTACT)
-    const round = shape[i * SHAPE + RADIUS] / extent
-    const most = (rolling * (1 + slow * round) * (Math.abs(warmX) + Math.abs(warmY))) / extent
-    const freeSpin = spinAir.fade * spin + warmSpin
-    const last = motion[m + ROLLING_IMPULSE] * supported[i]
-    const share = supported[i] > 0 ? ROLLING_SHARE : ROCKING_SHARE
-    const rollingImpulse = last - share * (freeSpin + last)
-    motion[m + ROLLING_IMPULSE] = Math.max(-most, Math.min(most, rollingImpulse))
-    motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + motion[m + ROLLING_IMPULSE])
+    motion[m + DELTA_ANGLE] = spinAir.reach * spin + 0.5 * h * (warmSpin + resistance)
     state[s + VX] = motion[m + START_X] = air.fade * vx + gx * air.reach + warmX
     state[s + VY] = motion[m + START_Y] = air.fade * vy + gy * air.reach + warmY
-    state[s + SPIN] = motion[m + START_SPIN] = freeSpin + motion[m + ROLLING_IMPULSE]
+    state[s + SPIN] = motion[m + START_SPIN] = freeSpin + resistance
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     changed[i] = speed > Math.min(regime.tolerance, RESTING_SPEED) || moved[i] > 0 ? 0 : NEVER
   }

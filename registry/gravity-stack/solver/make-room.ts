@@ -15,8 +15,8 @@ const PASSES = CORRECTIONS / 4
  */
 export function makeRoom(simulation: Simulation): void {
   const { contacts } = simulation
-  if (simulation.cramped > 0) simulation.cramped--
-  for (let visits = ROOM_VISITS; simulation.cramped > 0 && visits > 0; ) {
+  if (simulation.roomSteps > 0) simulation.roomSteps--
+  for (let visits = ROOM_VISITS; simulation.roomSteps > 0 && visits > 0; ) {
     simulation.bodies.knocked.fill(1)
     updatePairs(simulation)
     gatherContacts(simulation)
@@ -33,7 +33,7 @@ export function makeRoom(simulation: Simulation): void {
     visits -= (passes + 1) * nearCount
     // Chips side by side between two walls that come nearer have room only above them.
     if (passes === PASSES) liftWedged(simulation)
-    if (passes === 0) simulation.cramped = 0
+    if (passes === 0) simulation.roomSteps = 0
   }
 }
 

@@ -1,4 +1,4 @@
-import { IMPACT_TOLERANCE } from './constants'
+import { IMPACT_TOLERANCE, SLOW_CONTACT } from './constants'
 import { updateRotation } from './math'
 import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, VX, VY, X, Y } from './state'
 
@@ -9,7 +9,7 @@ import { type Bodies, COS, HX, HY, MOTION, RADIUS, SHAPE, SIN, STATE, VX, VY, X,
  * The normal points from A to B. Each point lies on both surfaces: an arm leads from each body's centre to
  * its own surface, and the separation along the normal is negative where the two overlap.
  */
-export const manifold: Float64Array = new Float64Array(21)
+export const manifold: Float64Array = new Float64Array(20)
 /**
  * px, from the centre of A to its surface, of B to its surface; separation; feature. Then the same of a
  * second point.
@@ -34,35 +34,52 @@ export const LEAD = 17
 /** px and px/s, separation of a point and the rate at which it opens, left by `separationAndRate`. */
 export const GAP_NOW = 18
 export const RATE_NOW = 19
-/**
- * px by which the two facing sides overlap, seen along the relative motion of the bodies: that much farther
- * apart they would miss. Infinite where the motion is neither along nor against the face.
- */
-export const ACROSS = 20
-
-/** px, distance of the cores along the face normals of one of them, its x axis first. */
-const faceGaps: Float64Array = new Float64Array(2)
 
 /**
- * Measures the core of body `i` from the faces of body `r`. A side of no length, of a pill or disc, is no
- * face.
+ * The face of one body and the side of the other that faces it, as the last `collide` found them. The body of
+ * the face is the reference body R, the other is the incident body I.
  */
-function measureFaces({ state, motion, shape }: Bodies, r: number, i: number): number {
-  const rc = motion[r * MOTION + COS]
-  const rn = motion[r * MOTION + SIN]
-  const ic = motion[i * MOTION + COS]
-  const inn = motion[i * MOTION + SIN]
-  const hx = shape[i * SHAPE + HX]
-  const hy = shape[i * SHAPE + HY]
-  const px = state[i * STATE + X] - state[r * STATE + X]
-  const py = state[i * STATE + Y] - state[r * STATE + Y]
-  const c = Math.abs(rc * ic + rn * inn)
-  const n = Math.abs(rc * inn - rn * ic)
-  const rhx = shape[r * SHAPE + HX]
-  const rhy = shape[r * SHAPE + HY]
-  faceGaps[X] = rhy > 0 ? Math.abs(px * rc + py * rn) - rhx - hx * c - hy * n : -Infinity
-  faceGaps[Y] = rhx > 0 ? Math.abs(py * rc - px * rn) - rhy - hx * n - hy * c : -Infinity
-  return Math.max(faceGaps[X], faceGaps[Y])
+const facing: Float64Array = new Float64Array(8)
+/** Normal of the face, outward from R, and px, half of its length. */
+const FACE_X = 0
+const FACE_Y = 1
+const FACE_HALF = 2
+/** px, from the middle of the face to the middle of the side. */
+const SIDE_X = 3
+const SIDE_Y = 4
+/** px, from the middle of the side to one of its ends. */
+const SIDE_END_X = 5
+const SIDE_END_Y = 6
+/** px, distance of a corner of R and one of I where these two alone are nearest, else 0. */
+const CORNER_DISTANCE = 7
+
+/** px, distance of two cores along the face normals of B, its x axis first, then along those of A. */
+const faceGaps: Float64Array = new Float64Array(4)
+const GAPS_OF_A = 2
+
+/**
+ * Measures the core of body `i` from the faces of body `r` into `faceGaps`, from place `at` on, and returns
+ * the larger distance. A side of no length, of a pill or disc, is no face.
+ */
+function measureFaces({ state, motion, shape }: Bodies, r: number, i: number, at: number): number {
+  const cosR = motion[r * MOTION + COS]
+  const sinR = motion[r * MOTION + SIN]
+  const cosI = motion[i * MOTION + COS]
+  const sinI = motion[i * MOTION + SIN]
+  const halfIX = shape[i * SHAPE + HX]
+  const halfIY = shape[i * SHAPE + HY]
+  const offsetX = state[i * STATE + X] - state[r * STATE + X]
+  const offsetY = state[i * STATE + Y] - state[r * STATE + Y]
+  // Cosine and sine of the angle between the two.
+  const cos = Math.abs(cosR * cosI + sinR * sinI)
+  const sin = Math.abs(cosR * sinI - sinR * cosI)
+  const halfRX = shape[r * SHAPE + HX]
+  const halfRY = shape[r * SHAPE + HY]
+  faceGaps[at + X] =
+    halfRY > 0 ? Math.abs(offsetX * cosR + offsetY * sinR) - halfRX - halfIX * cos - halfIY * sin : -Infinity
+  faceGaps[at + Y] =
+    halfRX > 0 ? Math.abs(offsetY * cosR - offsetX * sinR) - halfRY - halfIX * sin - halfIY * cos : -Infinity
+  return Math.max(faceGaps[at + X], faceGaps[at + Y])
 }
 
 /**
@@ -77,152 +94,186 @@ export function collide(bodies: Bodies, a: number, b: number): void {
   updateRotation(bodies, b)
   const radiusA = shape[a * SHAPE + RADIUS]
   const radiusB = shape[b * SHAPE + RADIUS]
-  const gapB = measureFaces(bodies, b, a)
-  const gapA = measureFaces(bodies, a, b)
+  const gapB = measureFaces(bodies, b, a, 0)
+  const gapA = measureFaces(bodies, a, b, GAPS_OF_A)
   const onA = gapB <= gapA + 1e-3
-  const best = onA ? gapA : gapB
-  // Reference body R has the face, incident body I the side that faces it most; all is seen from the centre
-  // of R.
+  const coreGap = onA ? gapA : gapB
+  // The face is that of the axis on which the cores are farthest apart; all is seen from the centre of R.
   const r = onA ? a : b
   const i = onA ? b : a
-  if (!onA) measureFaces(bodies, r, i)
-  const onX = faceGaps[X] >= faceGaps[Y] && best > -Infinity
-  const rhx = shape[r * SHAPE + HX]
-  const rhy = shape[r * SHAPE + HY]
-  const ihx = shape[i * SHAPE + HX]
-  const ihy = shape[i * SHAPE + HY]
-  manifold[DISTANCE] = best - radiusA - radiusB
+  const gaps = onA ? GAPS_OF_A : 0
+  const onX = faceGaps[gaps + X] >= faceGaps[gaps + Y] && coreGap > -Infinity
+  const halfRX = shape[r * SHAPE + HX]
+  const halfRY = shape[r * SHAPE + HY]
+  const halfIX = shape[i * SHAPE + HX]
+  const halfIY = shape[i * SHAPE + HY]
+  manifold[DISTANCE] = coreGap - radiusA - radiusB
   // Cores without an inside, of pills and discs, need their closest points even to know their distance.
-  const thin = rhx * rhy === 0 && ihx * ihy === 0
+  const thin = halfRX * halfRY === 0 && halfIX * halfIY === 0
   if (!thin && manifold[DISTANCE] > manifold[WIDEST]) return
 
-  const sign = onA ? 1 : -1
-  const ox = state[i * STATE + X] - state[r * STATE + X]
-  const oy = state[i * STATE + Y] - state[r * STATE + Y]
-  const rc = motion[r * MOTION + COS]
-  const rn = motion[r * MOTION + SIN]
-  const ic = motion[i * MOTION + COS]
-  const inn = motion[i * MOTION + SIN]
-  // Face normal f, outward from R towards I, and the face's half length u along its tangent.
-  let fx = onX ? rc : -rn
-  let fy = onX ? rn : rc
-  if (fx * ox + fy * oy < 0) {
-    fx = -fx
-    fy = -fy
+  // The face: its outward normal, from R towards I, and where it is along that.
+  const offsetX = state[i * STATE + X] - state[r * STATE + X]
+  const offsetY = state[i * STATE + Y] - state[r * STATE + Y]
+  const cosR = motion[r * MOTION + COS]
+  const sinR = motion[r * MOTION + SIN]
+  const cosI = motion[i * MOTION + COS]
+  const sinI = motion[i * MOTION + SIN]
+  let faceX = onX ? cosR : -sinR
+  let faceY = onX ? sinR : cosR
+  if (faceX * offsetX + faceY * offsetY < 0) {
+    faceX = -faceX
+    faceY = -faceY
   }
-  const depth = onX ? rhx : rhy
-  const half = onX ? rhy : rhx
-  const ux = -fy * half
-  const uy = fx * half
-  // Incident side, of a segment a long one: its outward normal is the one most against f. Middle m, half
-  // length e.
-  const fi = fx * ic + fy * inn
-  const gi = fy * ic - fx * inn
-  const useX = ihy > 0 && (ihx === 0 || Math.abs(fi) > Math.abs(gi))
-  const k = useX ? (fi > 0 ? -ihx : ihx) : gi > 0 ? -ihy : ihy
-  const ax = useX ? ic : -inn
-  const ay = useX ? inn : ic
-  const long = useX ? ihy : ihx
-  const mx = ox + k * ax
-  const my = oy + k * ay
-  let ex = -ay * long
-  let ey = ax * long
-  const vx = state[b * STATE + VX] - state[a * STATE + VX]
-  const vy = state[b * STATE + VY] - state[a * STATE + VY]
-  const speed = Math.sqrt(vx * vx + vy * vy)
-  const head = Math.abs(fx * vx + fy * vy)
-  const along = Math.abs(fx * vy - fy * vx)
-  const halves = Math.abs(ex * vy - ey * vx) + half * head
-  const centres = Math.abs((mx - fx * depth) * vy - (my - fy * depth) * vx)
-  const slanted = Math.min(head, along) > IMPACT_TOLERANCE * speed
-  manifold[ACROSS] = slanted ? Infinity : radiusA + radiusB + (halves - centres) / speed
-  let nx = fx
-  let ny = fy
-  // Places on the two sides, from -1 to 1, that are nearest; not known where the cores overlap.
-  let s = 0
-  const deepest = ex * fx + ey * fy > 0 ? -1 : 1
-  let t = deepest
-  const known = best > 0 || thin
-  if (known) {
-    // Closest points of the sides f·depth ± u and m ± e, in units of their half lengths.
-    const wx = mx - fx * depth
-    const wy = my - fy * depth
-    const invU = half > 0 ? 1 / (half * half) : 0
-    const invE = long > 0 ? 1 / (long * long) : 0
-    const ue = ux * ex + uy * ey
-    const uw = ux * wx + uy * wy
-    const ew = ex * wx + ey * wy
+  const faceAt = onX ? halfRX : halfRY
+  const faceHalf = onX ? halfRY : halfRX
+  const faceEndX = -faceY * faceHalf
+  const faceEndY = faceX * faceHalf
+
+  // The incident side is the one whose outward normal is most against that of the face; of a segment, a long
+  // one.
+  const alongX = faceX * cosI + faceY * sinI
+  const alongY = faceY * cosI - faceX * sinI
+  const sideOnX = halfIY > 0 && (halfIX === 0 || Math.abs(alongX) > Math.abs(alongY))
+  const sideAt = sideOnX ? (alongX > 0 ? -halfIX : halfIX) : alongY > 0 ? -halfIY : halfIY
+  const axisX = sideOnX ? cosI : -sinI
+  const axisY = sideOnX ? sinI : cosI
+  const sideHalf = sideOnX ? halfIY : halfIX
+  const sideX = offsetX + sideAt * axisX
+  const sideY = offsetY + sideAt * axisY
+  let sideEndX = -axisY * sideHalf
+  let sideEndY = axisX * sideHalf
+  const wayX = sideX - faceX * faceAt
+  const wayY = sideY - faceY * faceAt
+  facing[FACE_X] = faceX
+  facing[FACE_Y] = faceY
+  facing[FACE_HALF] = faceHalf
+  facing[SIDE_X] = wayX
+  facing[SIDE_Y] = wayY
+  facing[SIDE_END_X] = sideEndX
+  facing[SIDE_END_Y] = sideEndY
+  facing[CORNER_DISTANCE] = 0
+
+  // Places on face and side, from -1 to 1, that are nearest: the deepest end where the cores overlap.
+  let facePlace = 0
+  let sidePlace = sideEndX * faceX + sideEndY * faceY > 0 ? -1 : 1
+  let normalX = faceX
+  let normalY = faceY
+  const apart = coreGap > 0 || thin
+  if (apart) {
+    // Closest points of two segments, in units of their half lengths.
+    const perFace = faceHalf > 0 ? 1 / (faceHalf * faceHalf) : 0
+    const perSide = sideHalf > 0 ? 1 / (sideHalf * sideHalf) : 0
+    const faceBySide = faceEndX * sideEndX + faceEndY * sideEndY
+    const faceByWay = faceEndX * wayX + faceEndY * wayY
+    const sideByWay = sideEndX * wayX + sideEndY * wayY
     // The squared sine of the angle between the two: parallel sides have no one place that is nearest.
-    const det = 1 - ue * ue * invU * invE
-    s = uw * invU
-    if (det > 1e-9 && invE > 0) s = (s - ue * ew * invU * invE) / det
+    const squaredSine = 1 - faceBySide * faceBySide * perFace * perSide
+    facePlace = faceByWay * perFace
+    if (squaredSine > 1e-9 && perSide > 0)
+      facePlace = (facePlace - faceBySide * sideByWay * perFace * perSide) / squaredSine
     // Segments that cross at a right angle are measured at the end that is deeper.
-    t = best < -1e-6 && det > 0.999999 ? deepest : clampToUnit((ue * clampToUnit(s) - ew) * invE)
-    s = clampToUnit((uw + ue * t) * invU)
-    const dx = wx + ex * t - ux * s
-    const dy = wy + ey * t - uy * s
+    if (!(coreGap < -1e-6 && squaredSine > 0.999999))
+      sidePlace = clampToUnit((faceBySide * clampToUnit(facePlace) - sideByWay) * perSide)
+    facePlace = clampToUnit((faceByWay + faceBySide * sidePlace) * perFace)
+    const dx = wayX + sideEndX * sidePlace - faceEndX * facePlace
+    const dy = wayY + sideEndY * sidePlace - faceEndY * facePlace
     const distance = Math.sqrt(dx * dx + dy * dy)
     // Two corners have a normal of their own only where the line between them leaves the face.
-    const corners = (half === 0 || isEnd(s)) && (long === 0 || isEnd(t))
-    if (corners && distance > Math.max(best, 0) + 1e-9) {
-      nx = dx / distance
-      ny = dy / distance
-      // A motion along the face sees both sides edge on: the distance of the two corners counts instead.
-      if (!slanted && along > head) manifold[ACROSS] = radiusA + radiusB - Math.abs(dx * vy - dy * vx) / speed
+    const atCorners = (faceHalf === 0 || isEnd(facePlace)) && (sideHalf === 0 || isEnd(sidePlace))
+    if (atCorners && distance > Math.max(coreGap, 0) + 1e-9) {
+      normalX = dx / distance
+      normalY = dy / distance
+      facing[CORNER_DISTANCE] = distance
     }
   }
-  manifold[MANIFOLD_NX] = sign * nx
-  manifold[MANIFOLD_NY] = sign * ny
+  const sign = onA ? 1 : -1
+  const outX = sign * normalX
+  const outY = sign * normalY
+  manifold[MANIFOLD_NX] = outX
+  manifold[MANIFOLD_NY] = outY
+
   // Seen along the normal both sides are intervals: the two touch where these overlap, and at the nearest
   // point.
-  const cu = depth * (fy * nx - fx * ny)
-  const un = uy * nx - ux * ny
-  const ce = my * nx - mx * ny
-  let en = ey * nx - ex * ny
-  if (en < 0) {
-    ex = -ex
-    ey = -ey
-    en = -en
-    t = -t
+  const faceMiddle = faceAt * (faceY * normalX - faceX * normalY)
+  const faceReach = faceEndY * normalX - faceEndX * normalY
+  const sideMiddle = sideY * normalX - sideX * normalY
+  let sideReach = sideEndY * normalX - sideEndX * normalY
+  if (sideReach < 0) {
+    sideEndX = -sideEndX
+    sideEndY = -sideEndY
+    sideReach = -sideReach
+    sidePlace = -sidePlace
   }
-  const nearest = ce + t * en
-  let low = Math.max(cu - un, ce - en)
-  let high = Math.min(cu + un, ce + en)
+  const nearest = sideMiddle + sidePlace * sideReach
+  let low = Math.max(faceMiddle - faceReach, sideMiddle - sideReach)
+  let high = Math.min(faceMiddle + faceReach, sideMiddle + sideReach)
   const single = high - low < 1e-6
-  if (known) {
+  if (apart) {
     low = Math.min(low, nearest)
     high = Math.max(high, nearest)
   }
-  const side = (onA ? 0 : 4) + (onX ? 0 : 2)
+  const feature = (onA ? 0 : 4) + (onX ? 0 : 2)
   manifold[DISTANCE] = Infinity
   for (let n = 0; n < (single ? 1 : 2); n++) {
-    if (!single) t = ((n > 0 ? high : low) - ce) / en
-    if (un > 1e-9) s = (ce + t * en - cu) / un
-    const rx = fx * depth + ux * s
-    const ry = fy * depth + uy * s
-    const ix = mx + ex * t
-    const iy = my + ey * t
-    const gap = (ix - rx) * nx + (iy - ry) * ny - radiusA - radiusB
+    if (!single) sidePlace = ((n > 0 ? high : low) - sideMiddle) / sideReach
+    if (faceReach > 1e-9) facePlace = (sideMiddle + sidePlace * sideReach - faceMiddle) / faceReach
+    const pointRX = faceX * faceAt + faceEndX * facePlace
+    const pointRY = faceY * faceAt + faceEndY * facePlace
+    const pointIX = sideX + sideEndX * sidePlace
+    const pointIY = sideY + sideEndY * sidePlace
+    const gap = (pointIX - pointRX) * normalX + (pointIY - pointRY) * normalY - radiusA - radiusB
     manifold[DISTANCE] = Math.min(manifold[DISTANCE], gap)
     if (gap > manifold[WIDEST]) continue
     const p = manifold[COUNT]++ * POINT
-    manifold[p + ARM_AX] = (onA ? rx : ix - ox) + radiusA * sign * nx
-    manifold[p + ARM_AY] = (onA ? ry : iy - oy) + radiusA * sign * ny
-    manifold[p + ARM_BX] = (onA ? ix - ox : rx) - radiusB * sign * nx
-    manifold[p + ARM_BY] = (onA ? iy - oy : ry) - radiusB * sign * ny
+    manifold[p + ARM_AX] = (onA ? pointRX : pointIX - offsetX) + radiusA * outX
+    manifold[p + ARM_AY] = (onA ? pointRY : pointIY - offsetY) + radiusA * outY
+    manifold[p + ARM_BX] = (onA ? pointIX - offsetX : pointRX) - radiusB * outX
+    manifold[p + ARM_BY] = (onA ? pointIY - offsetY : pointRY) - radiusB * outY
     manifold[p + GAP] = gap
-    manifold[p + FEATURE] = (isEnd(t) ? 12 - side : side) + n
+    manifold[p + FEATURE] = (isEnd(sidePlace) ? 12 - feature : feature) + n
   }
+}
+
+/**
+ * Whether bodies `a` and `b`, as `collide` found them, hit each other by so little that they slide past. The
+ * corner of a box sags a little into the surface that it slides on: it would trip over the side of the next
+ * box in a level row.
+ */
+export function grazes({ state, shape }: Bodies, a: number, b: number): boolean {
+  const vx = state[b * STATE + VX] - state[a * STATE + VX]
+  const vy = state[b * STATE + VY] - state[a * STATE + VY]
+  const speed = Math.sqrt(vx * vx + vy * vy)
+  const normalX = manifold[MANIFOLD_NX]
+  const normalY = manifold[MANIFOLD_NY]
+  const approach = -normalX * vx - normalY * vy
+  // Slow bodies are pushed apart instead: a jam must not fall asleep while its chips overlap.
+  if (!(speed > SLOW_CONTACT && approach > IMPACT_TOLERANCE * speed)) return false
+  const against = Math.abs(facing[FACE_X] * vx + facing[FACE_Y] * vy)
+  const along = Math.abs(facing[FACE_X] * vy - facing[FACE_Y] * vx)
+  // Across the motion: half lengths of the two together, and the distance of their middles.
+  const halves = Math.abs(facing[SIDE_END_X] * vy - facing[SIDE_END_Y] * vx) + facing[FACE_HALF] * against
+  const middles = Math.abs(facing[SIDE_X] * vy - facing[SIDE_Y] * vx)
+  // A motion along the face sees both sides edge on: the distance of two corners counts instead.
+  const apart =
+    along > against && facing[CORNER_DISTANCE] > 0
+      ? facing[CORNER_DISTANCE] * Math.abs(normalX * vy - normalY * vx)
+      : middles - halves
+  // Only what moves along the face or against it can slide past.
+  return (
+    Math.min(against, along) <= IMPACT_TOLERANCE * speed &&
+    shape[a * SHAPE + RADIUS] + shape[b * SHAPE + RADIUS] - apart / speed < IMPACT_TOLERANCE
+  )
 }
 
 /**
  * Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at
  * first.
  */
-function isEnd(t: number): boolean {
-  return Math.abs(t) > 0.999999
+function isEnd(place: number): boolean {
+  return Math.abs(place) > 0.999999
 }
 
-function clampToUnit(t: number): number {
-  return t > 1 ? 1 : Math.max(t, -1)
+function clampToUnit(place: number): number {
+  return place > 1 ? 1 : Math.max(place, -1)
 }

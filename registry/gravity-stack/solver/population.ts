@@ -25,7 +25,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   contacts.head[i] = -1
   bodies.order[bodies.orderCount++] = i
   if (!isObstacleBody(bodies, i)) wakeAlone(bodies, i)
-  welcome(simulation, i)
+  refreshBody(simulation, i)
   return i
 }
 
@@ -45,7 +45,7 @@ export function removeBody(simulation: Simulation, i: number): void {
 export function placeBody(simulation: Simulation, i: number, motion: Motion): void {
   disturb(simulation, i)
   setMotion(simulation, i, motion)
-  welcome(simulation, i)
+  refreshBody(simulation, i)
 }
 
 /** Gives body `i` a new size (px) in place; what it touches wakes. */
@@ -53,8 +53,8 @@ export function reshapeBody(simulation: Simulation, i: number, shape: Shape): vo
   const { bodies } = simulation
   disturb(simulation, i)
   setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
-  welcome(simulation, i)
-  simulation.cramped = REST_TIME / STEP
+  refreshBody(simulation, i)
+  simulation.roomSteps = REST_TIME / STEP
 }
 
 export type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
@@ -76,8 +76,11 @@ function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
   capSpeed(state, s, MAX_SPEED)
 }
 
-/** Body `i` has come, moved or changed its shape: what is near an obstacle wakes and moves aside. */
-function welcome(simulation: Simulation, i: number): void {
+/**
+ * Brings up to date what depends on pose and shape of body `i`, which has come, moved or changed its shape.
+ * What is near an obstacle wakes, and room is made for the obstacle.
+ */
+function refreshBody(simulation: Simulation, i: number): void {
   const { bodies, contacts } = simulation
   const { box, boxed, state } = bodies
   resetContacts(bodies, contacts, i)
@@ -91,7 +94,7 @@ function welcome(simulation: Simulation, i: number): void {
   boxed[i] = 1
   for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
   simulation.revision++
-  simulation.cramped = REST_TIME / STEP
+  simulation.roomSteps = REST_TIME / STEP
 }
 
 /** Takes `i` out of the first `count` of a list; returns how many are left. */

@@ -104,9 +104,9 @@ export function correctOverlaps(simulation: Simulation): void {
 }
 
 /** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
-function mustSeparate({ bodies, contacts, cramped }: Simulation, c: number): boolean {
+function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): boolean {
   const speed = speedOf(bodies, contacts.pair[2 * c]) + speedOf(bodies, contacts.pair[2 * c + 1])
-  return cramped > 0 || speed <= SLOW_CONTACT
+  return roomSteps > 0 || speed <= SLOW_CONTACT
 }
 
 /** Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. */

@@ -7,28 +7,19 @@ import {
   LOOKAHEAD,
   SPECULATIVE_DISTANCE,
 } from './constants'
-import {
-  closingDistance,
-  rateGain,
-  relativeGain,
-  separationAndRate,
-  separationBound,
-  updateContact,
-} from './contact'
+import { closingDistance, rateGain, separationAndRate, separationBound, updateContact } from './contact'
 import { iterate } from './contact-solver'
 import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
 import { gatherContacts, wake } from './sleep'
 import {
+  ARM_NA,
   ARM_TA,
-  ARM_TB,
   CONTACT,
   IMPACTS_SOLVED,
   INV_INERTIA,
   INV_MASS,
   MOTION,
   NORMAL_IMPULSE,
-  NORMAL_X,
-  NORMAL_Y,
   SECOND,
   type Simulation,
   STATE,
@@ -37,10 +28,7 @@ import {
   TANGENT_IMPULSE,
   VELOCITY_BIAS,
   VX,
-  WARM_SPIN,
   WARM_Y,
-  X,
-  Y,
 } from './state'
 
 /**
@@ -72,22 +60,24 @@ function foreseeImpact(simulation: Simulation, c: number): boolean {
   for (let p = k, n = points[c]; n > 0; n--, p += SECOND) {
     d[p + VELOCITY_BIAS] = d[p + NORMAL_IMPULSE] > 0 ? 0 : FREE
     separationAndRate(simulation, c, p)
-    const start = manifold[RATE_NOW]
+    const startRate = manifold[RATE_NOW]
     // A stronger push is left over from a blow, and the solver will take it back.
-    const rate = Math.max(rateGain(simulation, c, p), -BLOW_SPEED - pull * h) / h
-    const v = start + rate * from
-    const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (start + v) * from)
+    const acceleration = Math.max(rateGain(simulation, c, p + ARM_NA, false), -BLOW_SPEED - pull * h) / h
+    const rate = startRate + acceleration * from
+    const gap = Math.max(0, manifold[GAP_NOW] + 0.5 * (startRate + rate) * from)
     const rest = h - from
-    const square = v * v - 2 * rate * gap
-    if (v > 0 || gap + (v + 0.5 * rate * rest) * rest >= 0 || !(square > threshold * threshold)) continue
-    const hit = Math.sqrt(square)
-    const time = from + Math.min(rest, (2 * gap) / (hit - v))
+    const hitSquared = rate * rate - 2 * acceleration * gap
+    // The point opens, closes too late, or hits too softly to bounce.
+    if (rate > 0 || gap + (rate + 0.5 * acceleration * rest) * rest >= 0) continue
+    if (!(hitSquared > threshold * threshold)) continue
+    const hit = Math.sqrt(hitSquared)
+    const time = from + Math.min(rest, (2 * gap) / (hit - rate))
     // The end that hits first turns the chip, so the other end is tested again after that impact.
     if (time > soonest + IMPACT_TOLERANCE / hit) continue
     if (time < soonest - IMPACT_TOLERANCE / hit) d[k + VELOCITY_BIAS] = d[k + NORMAL_IMPULSE] > 0 ? 0 : FREE
     // A bounce so low that it would land again within the sub-step is left to rest.
-    const e = bounce * hit > 0.5 * Math.abs(rate) * (h - time) ? bounce : 0
-    d[p + VELOCITY_BIAS] = -e * hit - hit - start
+    const restitution = bounce * hit > 0.5 * Math.abs(acceleration) * (h - time) ? bounce : 0
+    d[p + VELOCITY_BIAS] = -restitution * hit - hit - startRate
     soonest = Math.min(soonest, time)
   }
   ahead[0] = soonest
@@ -142,7 +132,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
 /** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
 function solveImpact(simulation: Simulation, c: number): void {
   const { bodies, contacts, h, impactRegime } = simulation
-  const { data: d, head, next, pair, points, live } = contacts
+  const { data: d, head, live, next, pair, points } = contacts
   const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
   if (!foreseeImpact(simulation, c)) return
@@ -156,44 +146,39 @@ function solveImpact(simulation: Simulation, c: number): void {
   time = ahead[0]
   const a = pair[2 * c]
   const b = pair[2 * c + 1]
-  const ma = a * MOTION
-  const mb = b * MOTION
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
-  const gain =
-    d[k + NORMAL_X] * relativeGain(simulation, c, Y) -
-    d[k + NORMAL_Y] * relativeGain(simulation, c, X) +
-    d[k + ARM_TB] * motion[mb + WARM_SPIN] -
-    d[k + ARM_TA] * motion[ma + WARM_SPIN]
-  d[k + TANGENT_BIAS] = (-gain * time) / h
-  const n1 = d[k + NORMAL_IMPULSE]
-  const n2 = d[k + SECOND + NORMAL_IMPULSE]
-  const t = d[k + TANGENT_IMPULSE]
+  d[k + TANGENT_BIAS] = (-rateGain(simulation, c, k + ARM_TA, true) * time) / h
+  // The impulses of an impact are its own: those of the contact wait meanwhile.
+  const normal1 = d[k + NORMAL_IMPULSE]
+  const normal2 = d[k + SECOND + NORMAL_IMPULSE]
+  const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
   // Two bodies that nothing carries get their exact answer, a crowd what its sub-steps can tell apart.
-  impactRegime.tolerance = motion[ma + WARM_Y] === 0 && motion[mb + WARM_Y] === 0 ? 1e-11 : LEAST_TOLERANCE
+  const free = motion[a * MOTION + WARM_Y] === 0 && motion[b * MOTION + WARM_Y] === 0
+  impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0
   live[0] = c
   for (let n = 0; n < IMPACT_ITERATIONS && iterate(simulation, impactRegime, 1, n) > n; n++);
   simulation.work[IMPACTS_SOLVED]++
-
-  d[k + NORMAL_IMPULSE] = n1
-  d[k + SECOND + NORMAL_IMPULSE] = n2
-  d[k + TANGENT_IMPULSE] = t
+  d[k + NORMAL_IMPULSE] = normal1
+  d[k + SECOND + NORMAL_IMPULSE] = normal2
+  d[k + TANGENT_IMPULSE] = tangent
   d[k + TANGENT_BIAS] = 0
-  // Restitution and friction together may ask for more energy than there was: then all of the impulse is
-  // less.
-  let first = 0
-  let second = 0
+
+  // A share of the impulse changes the energy by share · linear + share² · square / 2. Where restitution and
+  // friction together ask for more energy than there was, the share is less than all.
+  let linear = 0
+  let square = 0
   for (let n = 0; n < 6; n++) {
     const i = n > 2 ? b : a
     const s = i * STATE + VX + (n % 3)
     const mass = isStatic(bodies, i) ? 0 : 1 / state[i * STATE + (n % 3 > 1 ? INV_INERTIA : INV_MASS)]
     const change = state[s] - kept[6 + n]
-    first += mass * change * (kept[6 + n] + (time * gainOf(simulation, i, n % 3)) / h)
-    second += mass * change * change
+    linear += mass * change * (kept[6 + n] + (time * gainOf(simulation, i, n % 3)) / h)
+    square += mass * change * change
   }
-  const share = -2 * first < second ? (-2 * first) / second : 1
+  const share = -2 * linear < square ? (-2 * linear) / square : 1
   for (let n = 0; n < 6; n++) {
     const i = n > 2 ? b : a
     const s = i * STATE + (n % 3)
@@ -205,8 +190,10 @@ function solveImpact(simulation: Simulation, c: number): void {
     moved[i] = knocked[i] = 1
     motion[i * MOTION + STRUCK_AT] = time
   }
+
   // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
   if (foreseeImpact(simulation, c) && ahead[0] > time + IMPACT_TOLERANCE * h) queueImpact(simulation, c)
+  // What the two will hit in turn.
   for (let side = 0; side < 2; side++) {
     const i = pair[2 * c + side]
     for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {

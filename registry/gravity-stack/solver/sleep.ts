@@ -51,20 +51,17 @@ export function updateSleep(simulation: Simulation): void {
       rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
     rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
     parent[i] = i
-    // A body without a contact counts as at rest only where there is no gravity.
-    groupRest[i] = pull === 0 ? rest[r + 3] : 0
+    // A body that no contact pushes counts as at rest only where there is no gravity.
+    groupRest[i] = pull === 0 ? rest[r + 3] : -1
   }
-  for (let joining = 0; joining < 2; joining++) {
-    for (let n = 0; n < contacts.nearCount; n++) {
-      const c = contacts.near[n]
-      const a = contacts.pair[2 * c]
-      const b = contacts.pair[2 * c + 1]
-      if (normalImpulse(contacts, c) === 0) continue
-      if (joining === 0) {
-        groupRest[a] = rest[a * 4 + 3]
-        groupRest[b] = rest[b * 4 + 3]
-      } else if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
-    }
+  for (let n = 0; n < contacts.nearCount; n++) {
+    const c = contacts.near[n]
+    if (normalImpulse(contacts, c) === 0) continue
+    const a = contacts.pair[2 * c]
+    const b = contacts.pair[2 * c + 1]
+    if (groupRest[a] < 0) groupRest[a] = rest[a * 4 + 3]
+    if (groupRest[b] < 0) groupRest[b] = rest[b * 4 + 3]
+    if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
   // group awake to be corrected, for twice the time of rest at most: chips that do not fit would never sleep.

@@ -284,8 +284,8 @@ export class Simulation {
   /** What the air does to velocity and to spin in a sub-step. */
   air: Damping = { fade: 0.5, reach: 0.5, fall: 0.5 }
   spinAir: Damping = this.air
-  /** Rounds left in which room is made for what was pressed together. */
-  cramped = 0
+  /** Steps left in which room is made where moved walls, grown chips or obstacles press chips together. */
+  roomSteps = 0
 
   /** s, time handed in and not simulated yet. */
   left = 0.5

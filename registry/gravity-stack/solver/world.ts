@@ -53,7 +53,7 @@ export function createWorld({ width, height }: { width: number; height: number }
         scene.revision++
         enclose(scene, width, height)
         wakeAll(scene)
-        scene.cramped = REST_TIME / STEP
+        scene.roomSteps = REST_TIME / STEP
       }
     },
 
