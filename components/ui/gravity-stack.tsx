@@ -345,6 +345,8 @@ class Bodies {
   /** Bodies by the left edge of their box. */
   order: Int32Array = new Int32Array(FIRST_CHIP)
   orderCount = 0
+  /** Those of them that have left their box. */
+  leaving: Int32Array = new Int32Array(FIRST_CHIP)
   /** Body that last marked this one as a partner in a contact. */
   partner: Int32Array = new Int32Array(FIRST_CHIP)
 }
@@ -1324,48 +1326,36 @@ function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: n
  * until a chip leaves its box; at rest that is never.
  */
 
-/**
- * Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns
- * whether it did.
- */
-function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
-  const { state, shape, box } = bodies
+/** Makes the box of body `i` anew around its way ahead if the body may leave it within the step. */
+function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
+  const { state, shape, box, boxed } = bodies
   const s = i * STATE
   const k = i * 4
   // A chip that spins reaches further before the step is over.
   halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
-  let leaves = false
   for (let axis = 0; axis < 2; axis++) {
     const go = state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
-    if (low < box[k + axis] || high > box[k + 2 + axis]) leaves = true
+    if (low < box[k + axis] || high > box[k + 2 + axis]) boxed[i] = 1
   }
-  for (let axis = 0; leaves && axis < 2; axis++) {
+  for (let axis = 0; boxed[i] > 0 && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
     box[k + axis] = state[s + axis] - margin + Math.min(go, go + fall, 0)
     box[k + 2 + axis] = state[s + axis] + margin + Math.max(go, go + fall, 0)
   }
-  return leaves
 }
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, inside, knocked, order, orderCount } = bodies
+  const { awake, awakeCount, box, boxed, inside, knocked, leaving, order, orderCount, partner } = bodies
   const { head, next, pair } = contacts
-  // An obstacle has come or moved.
-  let any = boxed.includes(1)
-  for (let n = 0; n < awakeCount; n++) {
-    const i = awake[n]
-    if (knocked[i] === 0 || !updateBox(bodies, gravity, i)) continue
-    boxed[i] = 1
-    any = true
-  }
+  for (let n = 0; n < awakeCount; n++) if (knocked[awake[n]] > 0) updateBox(bodies, gravity, awake[n])
   knocked.fill(0)
-  if (!any) return false
+  if (!boxed.includes(1)) return false
 
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
@@ -1375,7 +1365,6 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
       edge = after
     }
   }
-  bodies.partner.fill(0)
 
   // Insertion sort: the order hardly changes from one step to the next.
   for (let n = 1; n < orderCount; n++) {
@@ -1384,31 +1373,35 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
     for (; m >= 0 && box[order[m] * 4] > box[i * 4]; m--) order[m + 1] = order[m]
     order[m + 1] = i
   }
+
+  partner.fill(0)
+  let leavers = 0
+  for (let n = 0; n < orderCount; n++) if (boxed[order[n]] > 0) leaving[leavers++] = order[n]
+  let passed = 0
   for (let n = 0; n < orderCount; n++) {
     const i = order[n]
+    // What is still in its box can have new partners only among what has left its own.
+    const leaves = boxed[i] > 0
+    if (leaves) passed++
+    const others = leaves ? order : leaving
+    const count = leaves ? orderCount : leavers
     let marked = -1
-    for (let m = n + 1; m < orderCount; m++) {
-      const j = order[m]
+    for (let m = leaves ? n + 1 : passed; m < count; m++) {
+      const j = others[m]
       if (box[j * 4] > box[i * 4 + 2]) break
-      if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
-      if (isStatic(bodies, i) && isStatic(bodies, j)) continue
+      if (!overlap(box, i * 4, j * 4) || (isStatic(bodies, i) && isStatic(bodies, j))) continue
       // A chip that has not entered the stage yet passes through the ceiling.
       if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
-      // A wall keeps no list of its own.
+      // A wall keeps no list of its own: then the chip marks all that it has a contact with.
       const lister = i < FIRST_CHIP ? j : i
-      if (marked !== lister) markPartners(bodies, contacts, lister)
+      if (marked !== lister)
+        for (let edge = head[lister]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = lister
       marked = lister
-      if (bodies.partner[i + j - lister] !== lister)
-        addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
+      if (partner[i + j - lister] !== lister) addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
   boxed.fill(0)
   return true
-}
-
-/** Marks all that body `i` has a contact with. */
-function markPartners({ partner }: Bodies, { head, next, pair }: Contacts, i: number): void {
-  for (let edge = head[i]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = i
 }
 
 function overlap(box: Float64Array, i: number, j: number): boolean {
@@ -1817,11 +1810,9 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
     const oldT = d[k + TANGENT_IMPULSE]
     const slip = nx * vy - ny * vx + tb * spinB - ta * spinA - d[k + TANGENT_BIAS]
     const limit = sum * Math.max(friction, atRest - loss * Math.abs(slip))
-    let t = oldT - relaxation * d[k + TANGENT_MASS] * slip
-    if (t > limit) t = limit
-    else if (t < -limit) t = -limit
-    d[k + TANGENT_IMPULSE] = t
-    t -= oldT
+    const newT = Math.max(-limit, Math.min(limit, oldT - relaxation * d[k + TANGENT_MASS] * slip))
+    d[k + TANGENT_IMPULSE] = newT
+    const t = newT - oldT
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const imb = s[b + INV_MASS]

@@ -1,66 +1,43 @@
 import { extents, halfExtents, isStatic } from './body'
 import { AABB_MARGIN, STEP } from './constants'
 import { addContact, removeContact } from './contact'
-import {
-  type Bodies,
-  CEILING,
-  CORE,
-  type Contacts,
-  FIRST_CHIP,
-  SHAPE,
-  type Simulation,
-  SPIN,
-  STATE,
-  VX,
-} from './state'
+import { type Bodies, CEILING, CORE, FIRST_CHIP, SHAPE, type Simulation, SPIN, STATE, VX } from './state'
 
 /**
  * Broad phase: boxes larger than the chips by a margin and the way ahead, sorted along x. Nothing is done
  * until a chip leaves its box; at rest that is never.
  */
 
-/**
- * Makes the box of body `i` anew around its way ahead if the body may leave it within the step; returns
- * whether it did.
- */
-function updateBox(bodies: Bodies, gravity: Float64Array, i: number): boolean {
-  const { state, shape, box } = bodies
+/** Makes the box of body `i` anew around its way ahead if the body may leave it within the step. */
+function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
+  const { state, shape, box, boxed } = bodies
   const s = i * STATE
   const k = i * 4
   // A chip that spins reaches further before the step is over.
   halfExtents(bodies, i, 0, STEP * shape[i * SHAPE + CORE] * Math.abs(state[s + SPIN]))
-  let leaves = false
   for (let axis = 0; axis < 2; axis++) {
     const go = state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
-    if (low < box[k + axis] || high > box[k + 2 + axis]) leaves = true
+    if (low < box[k + axis] || high > box[k + 2 + axis]) boxed[i] = 1
   }
-  for (let axis = 0; leaves && axis < 2; axis++) {
+  for (let axis = 0; boxed[i] > 0 && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
     box[k + axis] = state[s + axis] - margin + Math.min(go, go + fall, 0)
     box[k + 2 + axis] = state[s + axis] + margin + Math.max(go, go + fall, 0)
   }
-  return leaves
 }
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, inside, knocked, order, orderCount } = bodies
+  const { awake, awakeCount, box, boxed, inside, knocked, leaving, order, orderCount, partner } = bodies
   const { head, next, pair } = contacts
-  // An obstacle has come or moved.
-  let any = boxed.includes(1)
-  for (let n = 0; n < awakeCount; n++) {
-    const i = awake[n]
-    if (knocked[i] === 0 || !updateBox(bodies, gravity, i)) continue
-    boxed[i] = 1
-    any = true
-  }
+  for (let n = 0; n < awakeCount; n++) if (knocked[awake[n]] > 0) updateBox(bodies, gravity, awake[n])
   knocked.fill(0)
-  if (!any) return false
+  if (!boxed.includes(1)) return false
 
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
@@ -70,7 +47,6 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
       edge = after
     }
   }
-  bodies.partner.fill(0)
 
   // Insertion sort: the order hardly changes from one step to the next.
   for (let n = 1; n < orderCount; n++) {
@@ -79,31 +55,35 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
     for (; m >= 0 && box[order[m] * 4] > box[i * 4]; m--) order[m + 1] = order[m]
     order[m + 1] = i
   }
+
+  partner.fill(0)
+  let leavers = 0
+  for (let n = 0; n < orderCount; n++) if (boxed[order[n]] > 0) leaving[leavers++] = order[n]
+  let passed = 0
   for (let n = 0; n < orderCount; n++) {
     const i = order[n]
+    // What is still in its box can have new partners only among what has left its own.
+    const leaves = boxed[i] > 0
+    if (leaves) passed++
+    const others = leaves ? order : leaving
+    const count = leaves ? orderCount : leavers
     let marked = -1
-    for (let m = n + 1; m < orderCount; m++) {
-      const j = order[m]
+    for (let m = leaves ? n + 1 : passed; m < count; m++) {
+      const j = others[m]
       if (box[j * 4] > box[i * 4 + 2]) break
-      if ((boxed[i] | boxed[j]) === 0 || !overlap(box, i * 4, j * 4)) continue
-      if (isStatic(bodies, i) && isStatic(bodies, j)) continue
+      if (!overlap(box, i * 4, j * 4) || (isStatic(bodies, i) && isStatic(bodies, j))) continue
       // A chip that has not entered the stage yet passes through the ceiling.
       if ((i === CEILING && !inside[j]) || (j === CEILING && !inside[i])) continue
-      // A wall keeps no list of its own.
+      // A wall keeps no list of its own: then the chip marks all that it has a contact with.
       const lister = i < FIRST_CHIP ? j : i
-      if (marked !== lister) markPartners(bodies, contacts, lister)
+      if (marked !== lister)
+        for (let edge = head[lister]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = lister
       marked = lister
-      if (bodies.partner[i + j - lister] !== lister)
-        addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
+      if (partner[i + j - lister] !== lister) addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
   boxed.fill(0)
   return true
-}
-
-/** Marks all that body `i` has a contact with. */
-function markPartners({ partner }: Bodies, { head, next, pair }: Contacts, i: number): void {
-  for (let edge = head[i]; edge >= 0; edge = next[edge]) partner[pair[edge ^ 1]] = i
 }
 
 export function overlap(box: Float64Array, i: number, j: number): boolean {

@@ -135,11 +135,9 @@ export function iterate(simulation: Simulation, regime: Regime, count: number, s
     const oldT = d[k + TANGENT_IMPULSE]
     const slip = nx * vy - ny * vx + tb * spinB - ta * spinA - d[k + TANGENT_BIAS]
     const limit = sum * Math.max(friction, atRest - loss * Math.abs(slip))
-    let t = oldT - relaxation * d[k + TANGENT_MASS] * slip
-    if (t > limit) t = limit
-    else if (t < -limit) t = -limit
-    d[k + TANGENT_IMPULSE] = t
-    t -= oldT
+    const newT = Math.max(-limit, Math.min(limit, oldT - relaxation * d[k + TANGENT_MASS] * slip))
+    d[k + TANGENT_IMPULSE] = newT
+    const t = newT - oldT
     const x = nx * normal - ny * t
     const y = ny * normal + nx * t
     const imb = s[b + INV_MASS]

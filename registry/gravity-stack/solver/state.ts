@@ -123,6 +123,8 @@ export class Bodies {
   /** Bodies by the left edge of their box. */
   order: Int32Array = new Int32Array(FIRST_CHIP)
   orderCount = 0
+  /** Those of them that have left their box. */
+  leaving: Int32Array = new Int32Array(FIRST_CHIP)
   /** Body that last marked this one as a partner in a contact. */
   partner: Int32Array = new Int32Array(FIRST_CHIP)
 }
