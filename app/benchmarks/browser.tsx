@@ -8,8 +8,8 @@ export function InBrowser({ download }: { download: ReactNode }) {
   return (
     <>
       <p className="max-w-3xl text-muted-foreground leading-relaxed">
-        Here the whole stage is measured in a page, from the server’s markup to rest. Between two releases
-        pass 150&nbsp;ms with 60 chips, as by default, 10&nbsp;ms with 250 and 5&nbsp;ms with 1,000. Beside it
+        Here the whole stage is measured in a page, from the server’s markup to rest. Releases are 150&nbsp;ms
+        apart with 60 chips, which is the default, 10&nbsp;ms with 250 and 5&nbsp;ms with 1,000. Beside it
         stand two others. One is this component’s first design, its method written afresh, with a loop that
         never ends. The other is Matter as its users build it: Engine, Runner, a mouse constraint, and DOM
         elements whose transforms are written in each frame. Times come from the browser’s trace of the main

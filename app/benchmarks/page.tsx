@@ -129,11 +129,11 @@ export default function Benchmarks() {
 
         <Section id="order">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Gravity Stack takes six sub-steps, and one where nothing moves. This table has other numbers in
-            place of the six. An order of 2 means that twice the sub-steps leave a quarter of the error. Three
-            kinds of errors are not listed, as sub-steps don’t change them. Flight, bounces and impacts are
-            exact to rounding at any number. Overlap at rest is what a contact leaves alone. The contact
-            residual follows no order.
+            Gravity Stack takes six sub-steps, and one where nothing moves. The table shows other numbers of
+            sub-steps. An order of 2 means that twice the sub-steps leave a quarter of the error. Three kinds
+            of errors are not listed, as sub-steps don’t change them. Flight, bounces and impacts are exact to
+            rounding at any number. Overlap at rest is what a contact leaves alone. The contact residual
+            follows no order.
           </p>
           <div className="mt-6">
             <Table {...orderTable} />
@@ -154,9 +154,9 @@ export default function Benchmarks() {
 
         <Section id="chips">
           <p className="max-w-3xl text-muted-foreground leading-relaxed">
-            Pills are poured onto a stage that is larger the more there are, and nothing sleeps. A cost is the
-            mean of the first four seconds: fall, landing and rest. The claim’s table times a pour of up to 60
-            chips for six seconds, so more of it is rest. Each engine runs at its default setting. A pour was
+            Pills are poured onto a stage. More pills get a larger one. Nothing sleeps. A cost is the mean of
+            the first four seconds: fall, landing and rest. The claim’s table times a pour of up to 60 chips
+            for six seconds, so more of it is rest. Each engine runs at its default setting. A pour was
             stopped after 24 seconds, or skipped if it clearly would take longer; &gt; marks a lower bound.
           </p>
           <div className="mt-6 grid grid-cols-[minmax(0,1fr)] items-start gap-4 2xl:grid-cols-[minmax(0,26rem)_minmax(0,1fr)]">

@@ -71,7 +71,7 @@ const rows: Row[] = [
     value: ({ firstDrop }) => `${ms(firstDrop[1])}; ${ms(firstDrop[4])}`,
   },
   {
-    name: 'The processor’s time for the script of a whole drop of 60 chips, from in view to rest, with the plan of how they will lie / without it, ms; slowed 4 times',
+    name: 'Processor time of the script of a whole drop of 60 chips, with / without the plan of how they will lie, ms; slowed 4 times',
     goal: '1.3 times',
     met: ({ plan }) => !plan || plan.costs[1].planned <= 1.3 * plan.costs[1].plain,
     value: ({ plan }) =>
@@ -135,7 +135,7 @@ const rows: Row[] = [
     value: ({ heap }) => kB(heap.perFrame),
   },
   {
-    name: 'What the heap has kept after a minute of that, and had not after half of it',
+    name: 'Growth of the heap in the second half of a minute of that',
     value: ({ heap }) => kB(Math.max(0, heap.growth)),
   },
 ]
