@@ -171,7 +171,7 @@ test('chips come in from above and rest under the top when gravity points up fro
   const { poses } = await stage.pile()
   for (const { y } of poses) expect(y).toBeGreaterThan(16)
   expect(await stage.probe((probe) => probe.warnings)).toEqual([
-    expect.stringContaining('gravity points up and nothing closes the top, so ceiling counts as true.'),
+    expect.stringContaining('gravity points up and ceiling is not set, so the top is closed.'),
   ])
 })
 

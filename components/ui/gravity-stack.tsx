@@ -578,7 +578,7 @@ function dampingOver(damping: number, h: number): Damping {
   return { fade, reach: reach * h, fall: fall * h * h }
 }
 
-// solver/input: what callers of the world pass, and what holds instead of what makes no sense ───────────────
+// solver/input: what callers pass to the world ──────────────────────────────────────────────────────────────
 
 interface Vector {
   x: number
@@ -2962,7 +2962,7 @@ function createWorld({ width, height }: { width: number; height: number }) {
   }
 }
 
-// stage/props: what a caller may pass, and what holds instead ───────────────────────────────────────────────
+// stage/props: what a caller may pass, and how it is checked ────────────────────────────────────────────────
 
 /** Default and largest value of each number that a caller may give; the least is 0. The stagger is in ms. */
 const LIMITS = {
@@ -3060,7 +3060,7 @@ function checkedProps(given: StageProps): Settings {
   // All that falls up would leave for good.
   if (process.env.NODE_ENV !== 'production' && pointsUp && !given.ceiling)
     warn(
-      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
+      'gravity points up and ceiling is not set, so the top is closed. Set ceiling, or let gravity point down.',
     )
   settings.ceiling = !!given.ceiling || pointsUp
   if (typeof given.onSettle !== 'function') {
@@ -3228,7 +3228,7 @@ function launchMotion(number: number, height: number, { gravity, pull: length }:
 
 // stage/chip: how a chip looks, and how it is drawn ─────────────────────────────────────────────────────────
 
-// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop
+// The modules from here on know the DOM. The layout is read in observers and pointer events. The frame loop
 // writes transforms. React renders the wrappers of the chips and never touches their style and state again:
 // those belong to the stage.
 
@@ -3297,10 +3297,7 @@ function draw(chip: Chip) {
   chip.hasAngle = false
 }
 
-/**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
- * (D-062).
- */
+/** px², the square of 0.11 px. A chip is drawn again once a corner has moved so far (D-062). */
 const VISIBLE = 0.0121
 
 /** Draws a chip in this pose unless nobody would see the difference, and says whether it is at rest. */
@@ -3372,7 +3369,7 @@ function createReleaseQueue(settings: Settings) {
   let count = 0
   /** s, the earliest time of the next release to be planned. */
   let slot = 0
-  /** ms, when `clock` was last right, while nothing moves and no frame counts the time. */
+  /** ms, when `clock` was last updated, while nothing moves; undefined while frames count the time. */
   let idleSince: number | undefined
 
   function schedule(chip: Chip) {
@@ -3389,7 +3386,7 @@ function createReleaseQueue(settings: Settings) {
   const queue = {
     /** The chips that wait, the next one first. */
     chips: [] as Chip[],
-    /** s simulated since the drop began; below 0 before its first release. */
+    /** s since the drop began, pauses left out; below 0 before its first release. */
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,
@@ -3755,7 +3752,7 @@ function createPile(
 ) {
   const { settings } = context
   let launches = 0
-  /** Whether chips that had left by the top have come back since somebody last did something. */
+  /** Whether `recover` has run since somebody last did something. */
   let recovered = false
 
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
@@ -3891,7 +3888,7 @@ function createPile(
       })
     },
 
-    /** Somebody does something, after which chips may be released anew once more. */
+    /** Lets `recover` run once more, as somebody does something. */
     touch() {
       recovered = false
     },
@@ -3910,7 +3907,7 @@ type StagePile = ReturnType<typeof createPile>
 function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = ['0,0', '100px,0', '0,100px'].map((offset) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
+    // A probe has a size and is moved by a transform: others would land in the next column of a page.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${offset})`
     return probe
   })
@@ -3932,7 +3929,7 @@ interface Place {
   toStage: DOMMatrix
 }
 
-/** The place of an event's pointer; the layout is read anew unless the place `before` tells the same. */
+/** The place of an event's pointer. The map of the place `before` serves while the box keeps its size. */
 function placeOf({ clientX, clientY, timeStamp }: PointerEvent, root: HTMLElement, before?: Place): Place {
   const box = root.getBoundingClientRect()
   // Scrolling moves the box alone. Elements around the stage may also be scaled, as on hover: then the box
@@ -3953,7 +3950,7 @@ const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** Of its body in the world, or -1. */
+  /** The id of its body in the world, or -1. */
   id: number
   /** The body's x, y, angle, width, height and radius, and 1 if the stage has room for it. */
   placed?: number[]
@@ -4070,7 +4067,7 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
       const elements = refs.filter((element) => element instanceof view.Element)
       if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
         warn(
-          'a ref among obstacles leads to no element yet, so chips fall through there. It is looked at again when the stage renders: give its element the ref, and render the stage once it is there.',
+          'a ref among obstacles leads to no element yet, so chips fall through there. Give an element this ref, then render the stage again.',
         )
       elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0
@@ -4107,9 +4104,9 @@ type Obstacles = ReturnType<typeof createObstacles>
 
 // stage/plan: what is computed between frames ───────────────────────────────────────────────────────────────
 
-/** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
+/** s after the last release that an unseen pile gets to come to rest, where there is no drop (D-003). */
 const LONGEST_SETTLING = 20
-/** s that the first release waits at most until it is known how its chips will lie (D-001). */
+/** s that the first release waits at most for the plan (D-001). */
 const HEAD_START = 0.25
 
 /** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */
@@ -4318,7 +4315,7 @@ function createSizes(
     context.width = context.height && root.clientWidth
     if (!context.width) return
     resize(appeared)
-    // A chip that has lost its size while the stage had none had none to lose.
+    // Chips may have lost their size while the stage had none. Those are withdrawn now.
     if (appeared)
       chips.forEach((chip) => {
         if (chip.width && !chip.element.offsetWidth) setChipSize(chip, 0, 0)
@@ -4393,14 +4390,14 @@ function createLifecycle(
 ) {
   const { root, settings, still, pausing, chips } = context
   let state: StageState = 'static'
-  /** Whether the last frame was followed by no slice of the plan. */
+  /** Whether the last frame asked for no slice of the plan. */
   let skipped = false
   const loop = createFrameLoop(context.view, (seconds) => {
     const end = performance.now() + SLICE
     pile.advance(queue.clock + seconds)
     pile.draw()
     focus.follow()
-    // After a frame that was long itself, a slice would make it longer. It is put off by one frame.
+    // After a long frame the slice is left out once, so that two long tasks do not meet.
     skipped = !skipped && performance.now() > end
     if (!skipped) plan.request()
     if (!pile.world!.resting) return
@@ -4420,8 +4417,7 @@ function createLifecycle(
     state = next
     pile.touch()
     root.setAttribute('data-state', next)
-    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it
-    // changes.
+    // Rules for chips use this attribute. With `data-state` each change of state would style all chips anew.
     root.toggleAttribute('data-halted', next === 'static' || next === 'paused')
     if (next === 'resting') {
       pile.chips.forEach(exposeAngle)
@@ -4760,10 +4756,7 @@ function createPointers(
 
 // stage/hover: the way of a pointer over the stage ──────────────────────────────────────────────────────────
 
-/**
- * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
- * at once (D-052).
- */
+/** s. Bounds of the time between two moves, for their speed: a pointer may have stood still (D-052). */
 const BRIEFEST = 1 / 240
 const LONGEST = 1 / 30
 
@@ -4976,7 +4969,7 @@ export interface GravityStackActions {
   resume: () => void
 }
 
-/** A number out of range counts as the nearest in range, no number as left out; a warning says so. */
+/** A number out of range is clamped. A value that is no number counts as left out. Both warn in development. */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
    * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
@@ -4984,8 +4977,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, with minus signs to the
-   * left and up. Chips come in from above whatever it is.
+   * Acceleration in px/s². A number points down. `{ x, y }` points to the right and down, with minus signs to
+   * the left and up. Chips always come in from above.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
@@ -4995,12 +4988,13 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   ceiling?: boolean | undefined
   /**
-   * Radius, px, of a disc that a mouse or a pen over the stage shoves chips aside with as it moves.
+   * Radius in px of a disc that goes with a mouse or a pen over the stage and shoves chips aside. It needs
+   * `interactive`.
    * @default 0
    */
   push?: number | undefined
   /**
-   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage.
+   * Refs of elements elsewhere on the page. Chips land on these where they lie over or under the stage.
    * Children with the attribute `data-static` are obstacles too, and stay where their own CSS puts them.
    */
   obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
@@ -5015,19 +5009,19 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   stagger?: number | undefined
   /**
-   * Lets people grab and toss the chips with a pointer.
+   * Lets people grab, toss, tap and push the chips with a pointer.
    * @default true
    */
   interactive?: boolean | undefined
   /**
-   * Words lie the right way up after a drop that nobody disturbs: each chip starts turned by half turns, a
-   * square one by quarter turns, a disc by any angle. The pile is the same with and without.
+   * Words lie the right way up after a drop that nobody disturbs. For that a chip may be drawn turned: by half
+   * a turn, a square by quarters, a disc by any angle. The pile is the same with and without.
    * @default true
    */
   upright?: boolean | undefined
   /**
-   * `false` leaves out the drop, for pages that people come back to: the chips stand in a row until the pile
-   * is computed, and then lie there. Read once; `drop()` still lets the chips fall.
+   * `false` leaves out the first drop, for pages that people come back to. The chips stand in a row until
+   * their pile is computed, and then lie in it. Read once; `drop()` still lets the chips fall.
    * @default true
    */
   initial?: boolean | undefined
@@ -5050,7 +5044,7 @@ const Words: React.FC<{ children: React.ReactNode }> = () => null
 /** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
-/** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */
+/** Opens wrapped children. `React.Children` does so from React 19 on; that of React 18 throws at them. */
 function unwrapped(children: React.ReactNode): React.ReactNode {
   if (Array.isArray(children)) return children.map(unwrapped)
   const { _init, _payload } = Object(children) as Late
@@ -5158,7 +5152,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
-      // The stage removes it once the pile is there.
+      // The stage removes this attribute once the pile is computed.
       data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
@@ -5167,7 +5161,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
         // With another overflow, from a class, style or rule of the caller, the stage would scroll to a chip
         // with the focus.
         'not-print:not-data-[state=static]:overflow-clip!',
-        // On the whole stage, as a quick click that misses a chip would select words after the stage.
+        // No text can be selected in the stage: a quick click beside a chip would select words after it.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
         !falls && 'data-row:p-4',
@@ -5184,8 +5178,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
             data-state="waiting"
             // Elements that a translator or an extension puts into mere words don't give the chip its shape.
             data-words={typeof child === 'object' ? undefined : ''}
-            // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
-            // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+            // Chips are no scroll anchors: a browser that anchors to a moving chip would scroll the page. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
             // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
             // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
             className={cn(

@@ -14,7 +14,7 @@ export interface GravityStackActions {
   resume: () => void
 }
 
-/** A number out of range counts as the nearest in range, no number as left out; a warning says so. */
+/** A number out of range is clamped. A value that is no number counts as left out. Both warn in development. */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
    * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
@@ -22,8 +22,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   children?: React.ReactNode
   /**
-   * Acceleration in px/s²: a number points down, `{ x, y }` to the right and down, with minus signs to the
-   * left and up. Chips come in from above whatever it is.
+   * Acceleration in px/s². A number points down. `{ x, y }` points to the right and down, with minus signs to
+   * the left and up. Chips always come in from above.
    * @default 2600
    */
   gravity?: number | { x: number; y: number } | undefined
@@ -33,12 +33,13 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   ceiling?: boolean | undefined
   /**
-   * Radius, px, of a disc that a mouse or a pen over the stage shoves chips aside with as it moves.
+   * Radius in px of a disc that goes with a mouse or a pen over the stage and shoves chips aside. It needs
+   * `interactive`.
    * @default 0
    */
   push?: number | undefined
   /**
-   * Refs of elements elsewhere on the page that chips land on, as they are drawn over or under the stage.
+   * Refs of elements elsewhere on the page. Chips land on these where they lie over or under the stage.
    * Children with the attribute `data-static` are obstacles too, and stay where their own CSS puts them.
    */
   obstacles?: { readonly current: Element | null } | { readonly current: Element | null }[] | undefined
@@ -53,19 +54,19 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   stagger?: number | undefined
   /**
-   * Lets people grab and toss the chips with a pointer.
+   * Lets people grab, toss, tap and push the chips with a pointer.
    * @default true
    */
   interactive?: boolean | undefined
   /**
-   * Words lie the right way up after a drop that nobody disturbs: each chip starts turned by half turns, a
-   * square one by quarter turns, a disc by any angle. The pile is the same with and without.
+   * Words lie the right way up after a drop that nobody disturbs. For that a chip may be drawn turned: by half
+   * a turn, a square by quarters, a disc by any angle. The pile is the same with and without.
    * @default true
    */
   upright?: boolean | undefined
   /**
-   * `false` leaves out the drop, for pages that people come back to: the chips stand in a row until the pile
-   * is computed, and then lie there. Read once; `drop()` still lets the chips fall.
+   * `false` leaves out the first drop, for pages that people come back to. The chips stand in a row until
+   * their pile is computed, and then lie in it. Read once; `drop()` still lets the chips fall.
    * @default true
    */
   initial?: boolean | undefined
@@ -88,7 +89,7 @@ const Words: React.FC<{ children: React.ReactNode }> = () => null
 /** React's wrapper of a child that is still loading: `_init` throws a promise until it has arrived. */
 type Late = { _init?: (payload: unknown) => React.ReactNode; _payload: unknown }
 
-/** Takes the wrappers off, as `React.Children` does from React 19 on; before, it throws at them. */
+/** Opens wrapped children. `React.Children` does so from React 19 on; that of React 18 throws at them. */
 function unwrapped(children: React.ReactNode): React.ReactNode {
   if (Array.isArray(children)) return children.map(unwrapped)
   const { _init, _payload } = Object(children) as Late
@@ -196,7 +197,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
       ref={root}
       data-slot="gravity-stack"
       data-state="static"
-      // The stage removes it once the pile is there.
+      // The stage removes this attribute once the pile is computed.
       data-row={falls ? undefined : ''}
       className={cn(
         'group/stack relative isolate flex h-80 w-full break-inside-avoid flex-wrap content-end items-end justify-center gap-2 contain-content',
@@ -205,7 +206,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
         // With another overflow, from a class, style or rule of the caller, the stage would scroll to a chip
         // with the focus.
         'not-print:not-data-[state=static]:overflow-clip!',
-        // On the whole stage, as a quick click that misses a chip would select words after the stage.
+        // No text can be selected in the stage: a quick click beside a chip would select words after it.
         interactive &&
           'select-none data-halted:select-auto [@media_print,(prefers-reduced-motion:reduce),(scripting:none)]:select-auto',
         !falls && 'data-row:p-4',
@@ -222,8 +223,7 @@ export const GravityStack: React.ForwardRefExoticComponent<
             data-state="waiting"
             // Elements that a translator or an extension puts into mere words don't give the chip its shape.
             data-words={typeof child === 'object' ? undefined : ''}
-            // Chips are no scroll anchors: a browser that keeps its place in the page by a moving chip would
-            // lose it. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
+            // Chips are no scroll anchors: a browser that anchors to a moving chip would scroll the page. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
             // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
             // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
             className={cn(

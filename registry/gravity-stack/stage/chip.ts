@@ -1,6 +1,6 @@
 import type { Release } from './release'
 
-// The modules from here on know the DOM. Observers and pointers that are down read the layout; the frame loop
+// The modules from here on know the DOM. The layout is read in observers and pointer events. The frame loop
 // writes transforms. React renders the wrappers of the chips and never touches their style and state again:
 // those belong to the stage.
 
@@ -69,10 +69,7 @@ export function draw(chip: Chip) {
   chip.hasAngle = false
 }
 
-/**
- * px², how far a corner moves before its chip is drawn again: 0.11 px, a tenth and what is lost to rounding
- * (D-062).
- */
+/** px², the square of 0.11 px. A chip is drawn again once a corner has moved so far (D-062). */
 const VISIBLE = 0.0121
 
 /** Draws a chip in this pose unless nobody would see the difference, and says whether it is at rest. */

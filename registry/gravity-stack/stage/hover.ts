@@ -5,10 +5,7 @@ import type { Listen } from './listeners'
 import type { StagePile } from './pile'
 import { type Place, placeOf } from './pointer-map'
 
-/**
- * s between two moves of a pointer, at least and at most, for its speed: a pointer that stood still sets out
- * at once (D-052).
- */
+/** s. Bounds of the time between two moves, for their speed: a pointer may have stood still (D-052). */
 export const BRIEFEST = 1 / 240
 export const LONGEST = 1 / 30
 

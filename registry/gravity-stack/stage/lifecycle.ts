@@ -21,14 +21,14 @@ export function createLifecycle(
 ) {
   const { root, settings, still, pausing, chips } = context
   let state: StageState = 'static'
-  /** Whether the last frame was followed by no slice of the plan. */
+  /** Whether the last frame asked for no slice of the plan. */
   let skipped = false
   const loop = createFrameLoop(context.view, (seconds) => {
     const end = performance.now() + SLICE
     pile.advance(queue.clock + seconds)
     pile.draw()
     focus.follow()
-    // After a frame that was long itself, a slice would make it longer. It is put off by one frame.
+    // After a long frame the slice is left out once, so that two long tasks do not meet.
     skipped = !skipped && performance.now() > end
     if (!skipped) plan.request()
     if (!pile.world!.resting) return
@@ -48,8 +48,7 @@ export function createLifecycle(
     state = next
     pile.touch()
     root.setAttribute('data-state', next)
-    // Rules for chips go by this attribute: by the state all chips would be styled anew each time that it
-    // changes.
+    // Rules for chips use this attribute. With `data-state` each change of state would style all chips anew.
     root.toggleAttribute('data-halted', next === 'static' || next === 'paused')
     if (next === 'resting') {
       pile.chips.forEach(exposeAngle)

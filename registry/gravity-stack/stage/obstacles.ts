@@ -13,7 +13,7 @@ const UNNOTICED = 0.04
 
 /** An element that chips land on. */
 interface ObstacleElement {
-  /** Of its body in the world, or -1. */
+  /** The id of its body in the world, or -1. */
   id: number
   /** The body's x, y, angle, width, height and radius, and 1 if the stage has room for it. */
   placed?: number[]
@@ -130,7 +130,7 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
       const elements = refs.filter((element) => element instanceof view.Element)
       if (process.env.NODE_ENV !== 'production' && elements.length < refs.length)
         warn(
-          'a ref among obstacles leads to no element yet, so chips fall through there. It is looked at again when the stage renders: give its element the ref, and render the stage once it is there.',
+          'a ref among obstacles leads to no element yet, so chips fall through there. Give an element this ref, then render the stage again.',
         )
       elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0

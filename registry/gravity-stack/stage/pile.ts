@@ -23,7 +23,7 @@ export function createPile(
 ) {
   const { settings } = context
   let launches = 0
-  /** Whether chips that had left by the top have come back since somebody last did something. */
+  /** Whether `recover` has run since somebody last did something. */
   let recovered = false
 
   function drawMoved(id: number, x: number, y: number, bodyAngle: number, asleep: boolean) {
@@ -159,7 +159,7 @@ export function createPile(
       })
     },
 
-    /** Somebody does something, after which chips may be released anew once more. */
+    /** Lets `recover` run once more, as somebody does something. */
     touch() {
       recovered = false
     },

@@ -8,9 +8,9 @@ import type { Pile } from './release'
 import type { ReleaseQueue } from './release-queue'
 import type { Visibility } from './visibility'
 
-/** s after the last release that a pile which lies there from the start is given to come to rest (D-003). */
+/** s after the last release that an unseen pile gets to come to rest, where there is no drop (D-003). */
 const LONGEST_SETTLING = 20
-/** s that the first release waits at most until it is known how its chips will lie (D-001). */
+/** s that the first release waits at most for the plan (D-001). */
 const HEAD_START = 0.25
 
 /** Begins drops, and computes between frames how chips will lie, or a pile that lies there from the start. */

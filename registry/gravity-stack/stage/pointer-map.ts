@@ -5,7 +5,7 @@
 export function pointerMap(root: HTMLElement, box: DOMRect) {
   const probes = ['0,0', '100px,0', '0,100px'].map((offset) => {
     const probe = root.appendChild(root.ownerDocument.createElement('stage-point'))
-    // Small moves by transforms, and some size: in a page with columns a probe would go to another column.
+    // A probe has a size and is moved by a transform: others would land in the next column of a page.
     probe.style.cssText = `position:absolute;left:0;top:0;margin:0;padding:.1px;transform:translate(${offset})`
     return probe
   })
@@ -27,7 +27,7 @@ export interface Place {
   toStage: DOMMatrix
 }
 
-/** The place of an event's pointer; the layout is read anew unless the place `before` tells the same. */
+/** The place of an event's pointer. The map of the place `before` serves while the box keeps its size. */
 export function placeOf(
   { clientX, clientY, timeStamp }: PointerEvent,
   root: HTMLElement,

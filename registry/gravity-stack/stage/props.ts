@@ -97,7 +97,7 @@ export function checkedProps(given: StageProps): Settings {
   // All that falls up would leave for good.
   if (process.env.NODE_ENV !== 'production' && pointsUp && !given.ceiling)
     warn(
-      'gravity points up and nothing closes the top, so ceiling counts as true. Set it, or let gravity point down.',
+      'gravity points up and ceiling is not set, so the top is closed. Set ceiling, or let gravity point down.',
     )
   settings.ceiling = !!given.ceiling || pointsUp
   if (typeof given.onSettle !== 'function') {

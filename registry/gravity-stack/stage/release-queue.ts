@@ -8,7 +8,7 @@ export function createReleaseQueue(settings: Settings) {
   let count = 0
   /** s, the earliest time of the next release to be planned. */
   let slot = 0
-  /** ms, when `clock` was last right, while nothing moves and no frame counts the time. */
+  /** ms, when `clock` was last updated, while nothing moves; undefined while frames count the time. */
   let idleSince: number | undefined
 
   function schedule(chip: Chip) {
@@ -25,7 +25,7 @@ export function createReleaseQueue(settings: Settings) {
   const queue = {
     /** The chips that wait, the next one first. */
     chips: [] as Chip[],
-    /** s simulated since the drop began; below 0 before its first release. */
+    /** s since the drop began, pauses left out; below 0 before its first release. */
     clock: 0,
     /** s, time of the last release. */
     latest: -Infinity,

@@ -32,7 +32,7 @@ export function createSizes(
     context.width = context.height && root.clientWidth
     if (!context.width) return
     resize(appeared)
-    // A chip that has lost its size while the stage had none had none to lose.
+    // Chips may have lost their size while the stage had none. Those are withdrawn now.
     if (appeared)
       chips.forEach((chip) => {
         if (chip.width && !chip.element.offsetWidth) setChipSize(chip, 0, 0)
