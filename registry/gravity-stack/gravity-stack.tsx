@@ -14,7 +14,7 @@ export interface GravityStackActions {
   resume: () => void
 }
 
-/** A number out of range is clamped. A value that is no number counts as left out. Both warn in development. */
+/** A number out of range is clamped, and a value that is no number counts as left out, with a warning. */
 export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'> {
   /**
    * The objects that fall. Each child is one rigid body with the size and corner radius it is drawn with. A
@@ -59,8 +59,8 @@ export interface GravityStackProps extends React.ComponentPropsWithoutRef<'div'>
    */
   interactive?: boolean | undefined
   /**
-   * Words lie the right way up after a drop that nobody disturbs. For that a chip may be drawn turned: by half
-   * a turn, a square by quarters, a disc by any angle. The pile is the same with and without.
+   * Words lie the right way up after a drop that nobody disturbs. For that a chip may be drawn turned: by
+   * half a turn, a square by quarters, a disc by any angle. The pile is the same with and without.
    * @default true
    */
   upright?: boolean | undefined
@@ -223,9 +223,10 @@ export const GravityStack: React.ForwardRefExoticComponent<
             data-state="waiting"
             // Elements that a translator or an extension puts into mere words don't give the chip its shape.
             data-words={typeof child === 'object' ? undefined : ''}
-            // Chips are no scroll anchors: a browser that anchors to a moving chip would scroll the page. A chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only
-            // whole ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix
-            // only to classes inside `className`, and mirrors `left-0` for right-to-left pages.
+            // Chips are no scroll anchors: a browser that anchors to a moving chip would scroll the page. A
+            // chip is a pixel narrower than its stage: layout has fractions of a pixel, walls only whole
+            // ones, and a chip that is wedged between them never rests. The shadcn CLI adds its prefix only
+            // to classes inside `className`, and mirrors `left-0` for right-to-left pages.
             className={cn(
               'absolute top-0 [left:0] m-0! flex w-max max-w-[calc(100%-1px)] [overflow-anchor:none] [transition:initial]! *:m-0! [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:cursor-auto [:where(&_:is(dialog,[popover],:fullscreen,[contenteditable]:not([contenteditable=false]),[data-no-grab]))]:select-text',
               // A chip that waits stands unseen at the top of the stage, so that focus, find and links lead
