@@ -45,8 +45,8 @@ const SUBSTEPS = 6
 const RESTING_SPEED = 0.4
 
 /**
- * px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left
- * (D-025).
+ * px/s beyond what gravity gives. A warm start that closes a gap faster is left over from a blow and is not
+ * trusted (D-025).
  */
 const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
@@ -56,10 +56,7 @@ const ITERATIONS = 16
  * frame.
  */
 const UNEVEN_VISITS = 6000
-/**
- * SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep
- * again.
- */
+/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours overlap deeper. */
 const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
@@ -110,8 +107,8 @@ const ROLLING_SHARE = 0.2
  */
 const ROCKING_SHARE = 0.02
 /**
- * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one
- * point: resistance that holds would freeze it there (D-024).
+ * Share of `CORE`. A body whose centre is higher over its one point than its radius and this share is
+ * balanced on it, and rolling resistance would freeze it there (D-024).
  */
 const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
@@ -136,13 +133,13 @@ const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group
- * awake.
+ * px of overlap from which slow contacts are corrected again within a step. An overlap of twice this keeps a
+ * group awake.
  */
 const DEEP_OVERLAP = 0.02
 /**
- * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
- * stirred.
+ * px/s. A contact whose bodies together are no faster is slow: its overlap is corrected again, friction and
+ * rolling resistance are stronger, nothing grazes, and nobody wakes.
  */
 const SLOW_CONTACT = 10
 /**
@@ -183,7 +180,7 @@ const REST_DISTANCE = 0.5
  */
 const REST_TIME = 0.5
 /**
- * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
+ * Share of its displacement by which a chip's place of rest follows in a step. So creep below 1 px/s is rest.
  */
 const REST_FOLLOW = 0.03
 
@@ -297,8 +294,8 @@ const CORE = 4
 const SHAPE = 5
 
 /**
- * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written
- * out in braces when it makes the second one, and throws all code away that was compiled for the first.
+ * Records of the solver are classes. V8 forgets the shape of an object literal when a second one is made, and
+ * throws away what was compiled for the first.
  */
 class Bodies {
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
@@ -319,7 +316,7 @@ class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body moved since it was last drawn. */
+  /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
@@ -339,9 +336,9 @@ class Bodies {
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
   box: Float64Array = new Float64Array(FIRST_CHIP * 4)
-  /** 1 if the body has left its box. */
+  /** 1 if the body's box was made anew. */
   boxed: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body's way is not what its box was made for: in each step, and after what knocked it away. */
+  /** 1 if the box has to be checked: at the start of a step, and after a knock. */
   knocked: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Bodies by the left edge of their box. */
   order: Int32Array = new Int32Array(FIRST_CHIP)
@@ -406,7 +403,7 @@ class Contacts {
   data: Float64Array = new Float64Array(4 * CONTACT)
   /** Points of the manifold, 0 to 2. */
   points: Uint8Array = new Uint8Array(4)
-  /** px, travel of both bodies together up to which the record surely serves; −∞: it has to be looked at. */
+  /** px. The record serves while the travel of both bodies together is below this; −∞ forces a check. */
   due: Float64Array = new Float64Array(4)
   /** Lists of the contacts of each chip: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
   head: Int32Array = new Int32Array(FIRST_CHIP).fill(-1)
@@ -476,8 +473,8 @@ class Regime {
 }
 
 /**
- * All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled
- * code.
+ * All that a step works on. Fields that may hold fractions begin as fractions: to become one later would cost
+ * the compiled code.
  */
 class Simulation {
   /**
@@ -503,7 +500,7 @@ class Simulation {
   /** px/s of approach below which nothing bounces. */
   threshold = 0.5
   sleeps = true
-  /** Of a step, and s, the length of one. */
+  /** Sub-steps of a step, and the length of one, s. */
   substeps = 1
   h = 0.5
   /** What the air does to velocity and to spin in a sub-step. */
@@ -516,7 +513,7 @@ class Simulation {
   left = 0.5
   /** Ids of removed bodies, which the next bodies get. */
   freeSlots: number[] = []
-  /** How often the world was changed from outside, other than by a new body. */
+  /** How often the world was changed from outside, other than by a new chip. */
   revision = 0
   /** Steps in a row that have left something slow deep in another. */
   deepSteps = 0
@@ -608,8 +605,9 @@ interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
-   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
+   * Lets go. A body that kept up with a pointer still moving takes its velocity, of a slow one only a share.
+   * Otherwise it keeps its own. It leaves at `MAX_TOSS` at most. A body that another grab still holds is not
+   * thrown.
    */
   release(): void
 }
@@ -992,8 +990,7 @@ function grazes({ state, shape }: Bodies, a: number, b: number): boolean {
 }
 
 /**
- * Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at
- * first.
+ * Whether a place on a side is an end of it. It is compared with a fraction, or V8 takes places for integers.
  */
 function isEnd(place: number): boolean {
   return Math.abs(place) > 0.999999
@@ -1203,7 +1200,7 @@ function updateContact(simulation: Simulation, c: number): void {
   let armA = manifold[ARM_AX] * normalX + manifold[ARM_AY] * normalY
   let armB = manifold[ARM_BX] * normalX + manifold[ARM_BY] * normalY
   if (count > 1) {
-    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels
+    // Friction acts where the load is. Without a load it acts at the nearer point: the other may be pixels
     // away.
     const share = load > 0 ? d[k2 + NORMAL_IMPULSE] / load : manifold[POINT + GAP] < gap ? 1 : 0
     gap += share * (manifold[POINT + GAP] - gap)
@@ -1258,7 +1255,7 @@ function separationAndRate({ bodies, contacts }: Simulation, c: number, p: numbe
 /**
  * px/s, what gravity and the contacts that already push add over the sub-step to the relative velocity of the
  * bodies of contact `c`: along the normal, or `across` it, at the point whose arms are at place `arms`.
- * Gravity cancels out of two that fall.
+ * Gravity counts only where body A is static: of two bodies that fall it cancels.
  */
 function rateGain(
   { bodies, contacts, gravity, h }: Simulation,
@@ -1419,9 +1416,7 @@ function findGroup(parent: Int32Array, i: number): number {
   return i
 }
 
-/**
- * Makes one group of those of bodies `a` and `b`, which has rested for as long as the one that has for less.
- */
+/** Joins the groups of bodies `a` and `b`. The result has rested for as long as the one that rested less. */
 function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
   const root = findGroup(parent, a)
   const leaf = findGroup(parent, b)
@@ -1831,9 +1826,9 @@ function iterate(simulation: Simulation, regime: Regime, count: number, start: n
 // solver/entry: chips on their way into the stage ───────────────────────────────────────────────────────────
 
 /**
- * Notes whether body `i` is in the stage, as the ceiling is there only for what is. Chips come in from above:
- * gravity that pulls aside or up has no hold on one before it is in. Static until then, it comes down at a
- * speed of its own and shoves aside what lies in the way.
+ * Notes whether body `i` is in the stage: the ceiling acts only on bodies that are. Chips come in from above.
+ * Where gravity pulls aside or up, a chip comes in as a kinematic body, without inverse mass, at
+ * `ENTRY_SPEED`, until it is in the stage or in a hand. It shoves aside what lies in the way.
  */
 function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation, i: number): void {
   const { box, density, held, inside, shape, state } = bodies
@@ -1992,8 +1987,8 @@ function keepInside(simulation: Simulation): void {
 
 /**
  * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity
- * changes at the start of the sub-step, and the pose goes back by what the change would have moved too early:
- * exact for each, at any step. What is struck is asked anew what it hits.
+ * changes at the start of the sub-step, so the pose goes back by the change times the time. That makes each
+ * impact exact, at any step. Then the contacts of both bodies are tested for impacts again.
  */
 
 /** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
@@ -2069,10 +2064,7 @@ function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): nu
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
 const kept: Float64Array = new Float64Array(12)
 
-/**
- * Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of
- * its eve.
- */
+/** Measures contact `c` at the poses that its bodies will have at `time`, the time of an impact. */
 function measureAt(simulation: Simulation, c: number, time: number): void {
   const { bodies, contacts, h } = simulation
   const { state } = bodies
@@ -2113,7 +2105,7 @@ function solveImpact(simulation: Simulation, c: number): void {
   const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
-  // Two bodies that nothing carries get their exact answer, a crowd what its sub-steps can tell apart.
+  // Two bodies that nothing carries are solved exactly, others to `LEAST_TOLERANCE`.
   const free = motion[a * MOTION + WARM_Y] === 0 && motion[b * MOTION + WARM_Y] === 0
   impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0
@@ -2301,7 +2293,7 @@ const OMEGA = 2 * Math.PI * JOINT_HERTZ
  * thrown.
  */
 const THROW_SLACK = 16
-/** s after the pointer's last move until word of the same place counts as a stop. */
+/** s. A report of the same place this long after the pointer's last move is a stop. */
 const THROW_PAUSE = 0.025
 
 function createJoint(bodies: Bodies, body: number, x: number, y: number): MouseJoint {
@@ -2415,7 +2407,7 @@ function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): void {
 function movePointer(joint: MouseJoint, x: number, y: number, seconds: number): void {
   const { samples } = joint
   const since = seconds - (samples[samples.length - 1]?.seconds ?? -Infinity)
-  // Who lets go of a button says where it was a little after the last move: that is no stop.
+  // A released button reports its place a little after the last move. That is no stop.
   if (x === joint.x && y === joint.y && since > 0 && since < THROW_PAUSE) return
   joint.x = x
   joint.y = y
@@ -2427,16 +2419,16 @@ function movePointer(joint: MouseJoint, x: number, y: number, seconds: number): 
 }
 
 /**
- * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept
- * up with it; of a slow pointer's less, as what swings below a hand swings on. Another joint that still holds
- * the body decides alone.
+ * Sets the velocity with which the body leaves. A body that kept up takes the pointer's, fitted to the
+ * timestamps by least squares. Of a slow pointer's it takes a share, so that it swings on. A body that
+ * another joint still holds is not thrown.
  */
 function throwBody(simulation: Simulation, joint: MouseJoint): void {
   const { state, held } = simulation.bodies
   const { body, samples } = joint
   const s = body * STATE
   if (held[body] === 0 && samples.length > 1 && joint.idle < THROW_WINDOW) {
-    // By least squares, the slope of the way over time.
+    // The slope of the way over time.
     let t = 0
     for (const { seconds } of samples) t += seconds / samples.length
     let tt = 0
@@ -2475,7 +2467,7 @@ function throwBody(simulation: Simulation, joint: MouseJoint): void {
 /** px, how thick walls are. */
 const THICK = 1000
 
-/** Adds floor, walls and an open ceiling to a new world. An open ceiling is where nothing comes near it. */
+/** Adds floor, walls and an open ceiling to a new world. The box of an open ceiling is at infinity. */
 function addWalls({ bodies }: Simulation): void {
   for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i
@@ -2551,7 +2543,7 @@ function addBody(simulation: Simulation, body: BodyOptions): number {
   const { density } = body
   const i = freeSlots.pop() ?? bodies.count++
   if (bodies.alive.length < bodies.count) grow(bodies)
-  // Lists of contacts are by body, contacts by need.
+  // `head` has an entry a body. `addContact` grows the rest when contacts need it.
   while (contacts.head.length < bodies.count) grow(contacts)
   bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
   setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
@@ -2729,10 +2721,7 @@ function substep(simulation: Simulation): boolean {
   return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
 }
 
-/**
- * Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to
- * that.
- */
+/** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
 function solveContacts(simulation: Simulation): boolean {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount
@@ -2938,7 +2927,9 @@ function createWorld({ width, height }: { width: number; height: number }) {
     /** What the world is made of. */
     scene,
 
-    /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
+    /**
+     * Visits every awake body, and each once more after it fell asleep, with the pose to draw: px, px, rad.
+     */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const { state, before, undrawn } = bodies
       // Share of the step that is not simulated yet: what moves is drawn so much behind.

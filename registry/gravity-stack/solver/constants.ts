@@ -32,8 +32,8 @@ export const SUBSTEPS = 6
 export const RESTING_SPEED = 0.4
 
 /**
- * px/s, beside what gravity gives. A contact that pushes a body faster than this is what a blow has left
- * (D-025).
+ * px/s beyond what gravity gives. A warm start that closes a gap faster is left over from a blow and is not
+ * trusted (D-025).
  */
 export const BLOW_SPEED = 100
 /** Most iterations of a sub-step. Fewer leave pours deeper in one another and let tall stacks sag. */
@@ -43,10 +43,7 @@ export const ITERATIONS = 16
  * frame.
  */
 export const UNEVEN_VISITS = 6000
-/**
- * SOR factor: an impulse is taken this much further than its contact asks. With 1 pours are half as deep
- * again.
- */
+/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours overlap deeper. */
 export const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
@@ -97,8 +94,8 @@ export const ROLLING_SHARE = 0.2
  */
 export const ROCKING_SHARE = 0.02
 /**
- * Share of its core's reach by which a body is higher than its radius where it counts as balanced on one
- * point: resistance that holds would freeze it there (D-024).
+ * Share of `CORE`. A body whose centre is higher over its one point than its radius and this share is
+ * balanced on it, and rolling resistance would freeze it there (D-024).
  */
 export const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
@@ -123,13 +120,13 @@ export const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 export const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Twice as much keeps a group
- * awake.
+ * px of overlap from which slow contacts are corrected again within a step. An overlap of twice this keeps a
+ * group awake.
  */
 export const DEEP_OVERLAP = 0.02
 /**
- * px/s. The bodies of a slow contact together are no faster, and wake nobody: what still falls would be
- * stirred.
+ * px/s. A contact whose bodies together are no faster is slow: its overlap is corrected again, friction and
+ * rolling resistance are stronger, nothing grazes, and nobody wakes.
  */
 export const SLOW_CONTACT = 10
 /**
@@ -170,7 +167,7 @@ export const REST_DISTANCE = 0.5
  */
 export const REST_TIME = 0.5
 /**
- * Share of that displacement by which a chip's place follows it in a step: creep slower than 1 px/s is rest.
+ * Share of its displacement by which a chip's place of rest follows in a step. So creep below 1 px/s is rest.
  */
 export const REST_FOLLOW = 0.03
 

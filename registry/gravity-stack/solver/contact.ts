@@ -263,7 +263,7 @@ export function updateContact(simulation: Simulation, c: number): void {
   let armA = manifold[ARM_AX] * normalX + manifold[ARM_AY] * normalY
   let armB = manifold[ARM_BX] * normalX + manifold[ARM_BY] * normalY
   if (count > 1) {
-    // Friction acts where the load is, or without any where the two are nearer: the other end may be pixels
+    // Friction acts where the load is. Without a load it acts at the nearer point: the other may be pixels
     // away.
     const share = load > 0 ? d[k2 + NORMAL_IMPULSE] / load : manifold[POINT + GAP] < gap ? 1 : 0
     gap += share * (manifold[POINT + GAP] - gap)
@@ -318,7 +318,7 @@ export function separationAndRate({ bodies, contacts }: Simulation, c: number, p
 /**
  * px/s, what gravity and the contacts that already push add over the sub-step to the relative velocity of the
  * bodies of contact `c`: along the normal, or `across` it, at the point whose arms are at place `arms`.
- * Gravity cancels out of two that fall.
+ * Gravity counts only where body A is static: of two bodies that fall it cancels.
  */
 export function rateGain(
   { bodies, contacts, gravity, h }: Simulation,

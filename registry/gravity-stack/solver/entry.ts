@@ -4,9 +4,9 @@ import { removeContact, resetContact } from './contact'
 import { HX, HY, RADIUS, SHAPE, type Simulation, STATE, VX, X, Y } from './state'
 
 /**
- * Notes whether body `i` is in the stage, as the ceiling is there only for what is. Chips come in from above:
- * gravity that pulls aside or up has no hold on one before it is in. Static until then, it comes down at a
- * speed of its own and shoves aside what lies in the way.
+ * Notes whether body `i` is in the stage: the ceiling acts only on bodies that are. Chips come in from above.
+ * Where gravity pulls aside or up, a chip comes in as a kinematic body, without inverse mass, at
+ * `ENTRY_SPEED`, until it is in the stage or in a hand. It shoves aside what lies in the way.
  */
 export function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation, i: number): void {
   const { box, density, held, inside, shape, state } = bodies

@@ -26,8 +26,9 @@ export interface Grab {
   /** Where the pointer is, px, and when it was there, s on any clock. */
   moveTo(x: number, y: number, seconds: number): void
   /**
-   * Lets go: the body leaves with the pointer's velocity if it kept up with one that moved just now, else, or
-   * if that is slow, with its own; at most `MAX_TOSS`. A body that another grab still holds is not thrown.
+   * Lets go. A body that kept up with a pointer still moving takes its velocity, of a slow one only a share.
+   * Otherwise it keeps its own. It leaves at `MAX_TOSS` at most. A body that another grab still holds is not
+   * thrown.
    */
   release(): void
 }

@@ -8,9 +8,7 @@ export function findGroup(parent: Int32Array, i: number): number {
   return i
 }
 
-/**
- * Makes one group of those of bodies `a` and `b`, which has rested for as long as the one that has for less.
- */
+/** Joins the groups of bodies `a` and `b`. The result has rested for as long as the one that rested less. */
 export function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
   const root = findGroup(parent, a)
   const leaf = findGroup(parent, b)

@@ -267,8 +267,7 @@ export function grazes({ state, shape }: Bodies, a: number, b: number): boolean 
 }
 
 /**
- * Whether a place on a side is an end of it. Compared with a fraction: places would seem whole numbers at
- * first.
+ * Whether a place on a side is an end of it. It is compared with a fraction, or V8 takes places for integers.
  */
 function isEnd(place: number): boolean {
   return Math.abs(place) > 0.999999

@@ -43,7 +43,7 @@ const OMEGA = 2 * Math.PI * JOINT_HERTZ
  * thrown.
  */
 const THROW_SLACK = 16
-/** s after the pointer's last move until word of the same place counts as a stop. */
+/** s. A report of the same place this long after the pointer's last move is a stop. */
 const THROW_PAUSE = 0.025
 
 export function createJoint(bodies: Bodies, body: number, x: number, y: number): MouseJoint {
@@ -157,7 +157,7 @@ export function solveJoint({ bodies, pull, h }: Simulation, joint: MouseJoint): 
 export function movePointer(joint: MouseJoint, x: number, y: number, seconds: number): void {
   const { samples } = joint
   const since = seconds - (samples[samples.length - 1]?.seconds ?? -Infinity)
-  // Who lets go of a button says where it was a little after the last move: that is no stop.
+  // A released button reports its place a little after the last move. That is no stop.
   if (x === joint.x && y === joint.y && since > 0 && since < THROW_PAUSE) return
   joint.x = x
   joint.y = y
@@ -169,16 +169,16 @@ export function movePointer(joint: MouseJoint, x: number, y: number, seconds: nu
 }
 
 /**
- * Sets the velocity with which the body leaves: the pointer's, fitted to its own timestamps, if the body kept
- * up with it; of a slow pointer's less, as what swings below a hand swings on. Another joint that still holds
- * the body decides alone.
+ * Sets the velocity with which the body leaves. A body that kept up takes the pointer's, fitted to the
+ * timestamps by least squares. Of a slow pointer's it takes a share, so that it swings on. A body that
+ * another joint still holds is not thrown.
  */
 export function throwBody(simulation: Simulation, joint: MouseJoint): void {
   const { state, held } = simulation.bodies
   const { body, samples } = joint
   const s = body * STATE
   if (held[body] === 0 && samples.length > 1 && joint.idle < THROW_WINDOW) {
-    // By least squares, the slope of the way over time.
+    // The slope of the way over time.
     let t = 0
     for (const { seconds } of samples) t += seconds / samples.length
     let tt = 0

@@ -14,7 +14,7 @@ export function addBody(simulation: Simulation, body: BodyOptions): number {
   const { density } = body
   const i = freeSlots.pop() ?? bodies.count++
   if (bodies.alive.length < bodies.count) grow(bodies)
-  // Lists of contacts are by body, contacts by need.
+  // `head` has an entry a body. `addContact` grows the rest when contacts need it.
   while (contacts.head.length < bodies.count) grow(contacts)
   bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
   setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])

@@ -33,8 +33,8 @@ import {
 
 /**
  * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity
- * changes at the start of the sub-step, and the pose goes back by what the change would have moved too early:
- * exact for each, at any step. What is struck is asked anew what it hits.
+ * changes at the start of the sub-step, so the pose goes back by the change times the time. That makes each
+ * impact exact, at any step. Then the contacts of both bodies are tested for impacts again.
  */
 
 /** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
@@ -110,10 +110,7 @@ function gainOf({ bodies, gravity, h }: Simulation, i: number, axis: number): nu
 /** Poses of two bodies while they are measured where they will be, and velocities of two before an impact. */
 const kept: Float64Array = new Float64Array(12)
 
-/**
- * Measures contact `c` at the poses that its bodies will have at `time`: the geometry of the impact, not of
- * its eve.
- */
+/** Measures contact `c` at the poses that its bodies will have at `time`, the time of an impact. */
 function measureAt(simulation: Simulation, c: number, time: number): void {
   const { bodies, contacts, h } = simulation
   const { state } = bodies
@@ -154,7 +151,7 @@ function solveImpact(simulation: Simulation, c: number): void {
   const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
-  // Two bodies that nothing carries get their exact answer, a crowd what its sub-steps can tell apart.
+  // Two bodies that nothing carries are solved exactly, others to `LEAST_TOLERANCE`.
   const free = motion[a * MOTION + WARM_Y] === 0 && motion[b * MOTION + WARM_Y] === 0
   impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0

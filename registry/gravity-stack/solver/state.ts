@@ -74,8 +74,8 @@ export const CORE = 4
 export const SHAPE = 5
 
 /**
- * A class, as every record that the solver reads: V8 forgets what it knows of the fields of an object written
- * out in braces when it makes the second one, and throws all code away that was compiled for the first.
+ * Records of the solver are classes. V8 forgets the shape of an object literal when a second one is made, and
+ * throws away what was compiled for the first.
  */
 export class Bodies {
   /** Slots in use, walls included; the slot of a removed body counts until it is used again. */
@@ -96,7 +96,7 @@ export class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body moved since it was last drawn. */
+  /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
@@ -116,9 +116,9 @@ export class Bodies {
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
   box: Float64Array = new Float64Array(FIRST_CHIP * 4)
-  /** 1 if the body has left its box. */
+  /** 1 if the body's box was made anew. */
   boxed: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body's way is not what its box was made for: in each step, and after what knocked it away. */
+  /** 1 if the box has to be checked: at the start of a step, and after a knock. */
   knocked: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Bodies by the left edge of their box. */
   order: Int32Array = new Int32Array(FIRST_CHIP)
@@ -183,7 +183,7 @@ export class Contacts {
   data: Float64Array = new Float64Array(4 * CONTACT)
   /** Points of the manifold, 0 to 2. */
   points: Uint8Array = new Uint8Array(4)
-  /** px, travel of both bodies together up to which the record surely serves; −∞: it has to be looked at. */
+  /** px. The record serves while the travel of both bodies together is below this; −∞ forces a check. */
   due: Float64Array = new Float64Array(4)
   /** Lists of the contacts of each chip: edge 2c is contact c seen from A, 2c + 1 from B; -1 ends a list. */
   head: Int32Array = new Int32Array(FIRST_CHIP).fill(-1)
@@ -253,8 +253,8 @@ export class Regime {
 }
 
 /**
- * All that a step works on. Numbers that may be fractions begin as ones: a change would cost the compiled
- * code.
+ * All that a step works on. Fields that may hold fractions begin as fractions: to become one later would cost
+ * the compiled code.
  */
 export class Simulation {
   /**
@@ -280,7 +280,7 @@ export class Simulation {
   /** px/s of approach below which nothing bounces. */
   threshold = 0.5
   sleeps = true
-  /** Of a step, and s, the length of one. */
+  /** Sub-steps of a step, and the length of one, s. */
   substeps = 1
   h = 0.5
   /** What the air does to velocity and to spin in a sub-step. */
@@ -293,7 +293,7 @@ export class Simulation {
   left = 0.5
   /** Ids of removed bodies, which the next bodies get. */
   freeSlots: number[] = []
-  /** How often the world was changed from outside, other than by a new body. */
+  /** How often the world was changed from outside, other than by a new chip. */
   revision = 0
   /** Steps in a row that have left something slow deep in another. */
   deepSteps = 0

@@ -66,10 +66,7 @@ function substep(simulation: Simulation): boolean {
   return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
 }
 
-/**
- * Iterates until no contact changes a velocity, or as often as the regime allows; returns whether it came to
- * that.
- */
+/** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
 function solveContacts(simulation: Simulation): boolean {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount

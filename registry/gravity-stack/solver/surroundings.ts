@@ -19,7 +19,7 @@ import {
 /** px, how thick walls are. */
 const THICK = 1000
 
-/** Adds floor, walls and an open ceiling to a new world. An open ceiling is where nothing comes near it. */
+/** Adds floor, walls and an open ceiling to a new world. The box of an open ceiling is at infinity. */
 export function addWalls({ bodies }: Simulation): void {
   for (let i = 0; i < PUSHER; i++) {
     bodies.order[bodies.orderCount++] = i

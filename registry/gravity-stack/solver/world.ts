@@ -114,7 +114,9 @@ export function createWorld({ width, height }: { width: number; height: number }
     /** What the world is made of. */
     scene,
 
-    /** Visits every body that has moved since the last call, with the pose to draw: px, px, rad. */
+    /**
+     * Visits every awake body, and each once more after it fell asleep, with the pose to draw: px, px, rad.
+     */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
       const { state, before, undrawn } = bodies
       // Share of the step that is not simulated yet: what moves is drawn so much behind.
