@@ -128,6 +128,26 @@ test('conditional children and fragments come and go one by one', async ({ stage
   expect(await stage.overlap()).toBeLessThan(1)
 })
 
+test('a chip that comes later is seen nowhere before it comes in from above', async ({ stage, page }) => {
+  await stage.settled('children')
+  const bottoms = await page.evaluate(async () => {
+    const root = document.querySelector('[data-slot=gravity-stack]')!
+    const known = [...root.children]
+    document.querySelector<HTMLElement>('#extra')!.click()
+    const found: number[] = []
+    while (found.length < 2) {
+      await window.probe.pass(1)
+      for (const chip of root.children) {
+        if (known.includes(chip) || chip.getAttribute('data-state') === 'waiting') continue
+        known.push(chip)
+        found.push(chip.getBoundingClientRect().bottom - root.getBoundingClientRect().top)
+      }
+    }
+    return found
+  })
+  for (const bottom of bottoms) expect(bottom).toBeLessThan(0)
+})
+
 /** Runs `change` in the page until the pile rests again. Returns the farthest that any chip got away, px. */
 async function farthestWay(stage: StagePage, change: string) {
   await stage.probe((probe) => probe.states.splice(0))

@@ -3346,8 +3346,8 @@ function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   })
   const before = new Map(chips)
   chips.clear()
-  root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
-    const fresh = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' }
+  root.querySelectorAll<HTMLElement>(':scope>[data-slot=gravity-stack-chip]').forEach((element) => {
+    const fresh = { element, state: 'waiting', width: 0, id: -1, turn: 0, angle: 0, pinch: '' }
     chips.set(element, before.get(element) ?? (fresh as Chip))
   })
   return before
@@ -4293,7 +4293,7 @@ function createSizes(
     for (const { target, contentRect } of entries) {
       const chip = chips.get(target)
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
-      else if (target === root) readStageSize()
+      else readStageSize()
     }
     pile.makeRoom()
     // A chip may have got the focus before it had a size.

@@ -15,8 +15,8 @@ export function collectChips(root: HTMLElement, chips: Map<Element, Chip>) {
   })
   const before = new Map(chips)
   chips.clear()
-  root.querySelectorAll<HTMLElement>(':scope>[data-slot]:not([data-static])').forEach((element) => {
-    const fresh = { element, state: 'waiting', width: 0, radius: Number.NaN, id: -1, angle: 0, pinch: '' }
+  root.querySelectorAll<HTMLElement>(':scope>[data-slot=gravity-stack-chip]').forEach((element) => {
+    const fresh = { element, state: 'waiting', width: 0, id: -1, turn: 0, angle: 0, pinch: '' }
     chips.set(element, before.get(element) ?? (fresh as Chip))
   })
   return before

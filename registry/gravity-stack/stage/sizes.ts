@@ -19,7 +19,7 @@ export function createSizes(
     for (const { target, contentRect } of entries) {
       const chip = chips.get(target)
       if (chip) setChipSize(chip, contentRect.width, contentRect.height)
-      else if (target === root) readStageSize()
+      else readStageSize()
     }
     pile.makeRoom()
     // A chip may have got the focus before it had a size.
