@@ -3280,8 +3280,7 @@ function applyCornerRadius({ element, radius }: Chip) {
 
 function draw(chip: Chip) {
   const { element, x, y, angle } = chip
-  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
-  element.style.transform = at + chip.pinch
+  element.style.transform = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)${chip.pinch}`
   // While a style holds a custom property, Chromium matches its element against all rules each time the style
   // changes.
   if (chip.hasAngle) element.style.removeProperty('--chip-angle')
@@ -4060,8 +4059,8 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
         warn(
           'a ref among obstacles leads to no element yet, so chips fall through there. Give an element this ref, then render the stage again.',
         )
-      elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0
+      else elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()
@@ -4850,7 +4849,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
   /** The stage has another size, or had none before. */
   function resize(appeared: boolean) {
     // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-    if (appeared && !visibility.started) visibility.checkAgain()
+    if (appeared) visibility.checkAgain()
     if (!pile.world) return plan.begin()
     pile.world.resize(context.width, context.height)
     obstacles.measure()
@@ -4905,8 +4904,7 @@ function createStage(root: HTMLElement, pausing: { current: boolean }) {
         if (differ('interactive', 'push')) listen()
         obstacles.find()
       }
-      if (!pile.world) return
-      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world.configure(settings)
+      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world?.configure(settings)
       if (differ('stagger')) queue.reschedule()
       update()
     },

@@ -92,7 +92,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
   /** The stage has another size, or had none before. */
   function resize(appeared: boolean) {
     // A stage without a size counts as wholly in view, so the browser tells nothing new when it gets one.
-    if (appeared && !visibility.started) visibility.checkAgain()
+    if (appeared) visibility.checkAgain()
     if (!pile.world) return plan.begin()
     pile.world.resize(context.width, context.height)
     obstacles.measure()
@@ -147,8 +147,7 @@ export function createStage(root: HTMLElement, pausing: { current: boolean }) {
         if (differ('interactive', 'push')) listen()
         obstacles.find()
       }
-      if (!pile.world) return
-      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world.configure(settings)
+      if (differ('gravity', 'ceiling', 'bounce', 'friction')) pile.world?.configure(settings)
       if (differ('stagger')) queue.reschedule()
       update()
     },
