@@ -586,7 +586,7 @@ interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number
   height: number
-  radius?: number
+  radius: number
   /** px, centre; radians clockwise on screen. */
   x: number
   y: number
@@ -615,14 +615,10 @@ interface Grab {
 /** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose precision. */
 const FAR = 1e6
 
-/** `value`, or `otherwise` if it is no finite number. */
-function finite(value: unknown, otherwise = 0): number {
-  return typeof value === 'number' && value - value === 0 ? value : otherwise
-}
-
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 function within(value: unknown, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
+  const number = typeof value === 'number' && value - value === 0 ? value : otherwise
+  return Math.max(least, Math.min(most, number))
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */
@@ -2540,13 +2536,13 @@ function wakeAll(simulation: Simulation): void {
 /** Adds a body and returns its id. */
 function addBody(simulation: Simulation, body: BodyOptions): number {
   const { bodies, contacts, freeSlots } = simulation
-  const { density } = body
+  const { width, height, radius, density = 1 } = body
   const i = freeSlots.pop() ?? bodies.count++
   if (bodies.alive.length < bodies.count) grow(bodies)
   // `head` has an entry a body. `addContact` grows the rest when contacts need it.
   while (contacts.head.length < bodies.count) grow(contacts)
-  bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
-  setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
+  bodies.density[i] = density
+  setShape(bodies, i, sizeOf(width), sizeOf(height), radius, density)
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
@@ -2581,7 +2577,7 @@ function placeBody(simulation: Simulation, i: number, motion: Motion): void {
 function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
   const { bodies } = simulation
   disturb(simulation, i)
-  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
+  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), shape.radius, bodies.density[i])
   refreshBody(simulation, i)
   simulation.roomSteps = REST_TIME / STEP
 }
@@ -2592,16 +2588,10 @@ type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
 function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
   const { state } = bodies
   const s = i * STATE
-  setPose(
-    bodies,
-    i,
-    within(motion.x, -FAR, FAR, state[s + X]),
-    within(motion.y, -FAR, FAR, state[s + Y]),
-    within(motion.angle, -FAR, FAR, state[s + ANGLE]),
-  )
-  state[s + VX] = finite(motion.vx, state[s + VX])
-  state[s + VY] = finite(motion.vy, state[s + VY])
-  state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
+  const { x = state[s + X], y = state[s + Y], angle = state[s + ANGLE] } = motion
+  const { vx = state[s + VX], vy = state[s + VY], spin = state[s + SPIN] } = motion
+  setPose(bodies, i, x, y, angle)
+  state.set([vx, vy, spin], s + VX)
   capSpeed(state, s, MAX_SPEED)
 }
 
@@ -3280,7 +3270,8 @@ function applyCornerRadius({ element, radius }: Chip) {
 
 function draw(chip: Chip) {
   const { element, x, y, angle } = chip
-  element.style.transform = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)${chip.pinch}`
+  const at = `translate(${(x - chip.width / 2).toFixed(2)}px,${(y - chip.height / 2).toFixed(2)}px)rotate(${angle.toFixed(4)}rad)`
+  element.style.transform = at + chip.pinch
   // While a style holds a custom property, Chromium matches its element against all rules each time the style
   // changes.
   if (chip.hasAngle) element.style.removeProperty('--chip-angle')
@@ -4059,8 +4050,8 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
         warn(
           'a ref among obstacles leads to no element yet, so chips fall through there. Give an element this ref, then render the stage again.',
         )
+      elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       if (still.matches) elements.length = 0
-      else elements.push(...Array.from(root.querySelectorAll(':scope>[data-static]')))
       all.forEach((obstacle, element) => {
         if (elements.includes(element)) return
         obstacle.watch?.disconnect()

@@ -9,9 +9,16 @@ import {
   STEP,
   SUBSTEPS,
 } from './solver/constants'
-import { FAR, type Grab, type Motion, sizeOf, type Vector, within } from './solver/input'
+import {
+  type BodyOptions as CompleteOptions,
+  FAR,
+  type Grab,
+  type Motion,
+  sizeOf,
+  type Vector,
+  within,
+} from './solver/input'
 import { dampingOver } from './solver/math'
-import type { Shape } from './solver/population'
 import {
   ANGLE,
   ARM_NB,
@@ -40,7 +47,12 @@ import {
 import type { Surroundings } from './solver/surroundings'
 import { createWorld as createBareWorld } from './solver/world'
 
-export type { BodyOptions, Grab, Motion } from './solver/input'
+export type { Grab, Motion } from './solver/input'
+
+export interface BodyOptions extends Omit<CompleteOptions, 'radius'> {
+  /** px, corner radius; 0 if left out. */
+  radius?: number
+}
 
 export type World = ReturnType<typeof createWorld>
 
@@ -87,6 +99,20 @@ export interface Contact {
   points: { x: number; y: number; forceX: number; forceY: number }[]
 }
 
+const finite = (value: unknown, otherwise: number) =>
+  within(value, -Number.MAX_VALUE, Number.MAX_VALUE, otherwise)
+
+/** Pose and velocity as `motion` gives them; the rest stays at what it is `now`. */
+const checkedMotion = (motion: Motion, now: Omit<Reading, 'asleep'>) => ({
+  x: within(motion.x, -FAR, FAR, now.x),
+  y: within(motion.y, -FAR, FAR, now.y),
+  angle: within(motion.angle, -FAR, FAR, now.angle),
+  vx: finite(motion.vx, now.vx),
+  vy: finite(motion.vy, now.vy),
+  spin: within(motion.spin, -1000, 1000, now.spin),
+})
+const atRest = { x: 0, y: 0, angle: 0, vx: 0, vy: 0, spin: 0 }
+
 /**
  * A world as the stage has it, and what only tests and tools ask of one: it stays out of the file that people
  * copy. The stage checks what it is given; here values that are not finite count as left out, sizes as 1 px,
@@ -102,7 +128,7 @@ export function createWorld(options: WorldOptions) {
   scene.spinAir = dampingOver(within(options.angularDamping, 0, MAX_DAMPING, ANGULAR_DAMPING), scene.h)
   scene.threshold = within(options.bounceThreshold, 0, 1e6, BOUNCE_THRESHOLD)
   scene.sleeps = options.sleep !== false
-  const { configure, grab, place, reshape, resize, step } = world
+  const { add, configure, grab, place, reshape, resize, step } = world
   let acted = false
 
   /** Sets what `change` gives, and leaves the rest at what it is `now`. */
@@ -118,12 +144,22 @@ export function createWorld(options: WorldOptions) {
   change(options, { gravity: { x: 0, y: GRAVITY }, ceiling: false, bounce: BOUNCE, friction: FRICTION })
 
   const tools = {
-    place(id: number, motion: Motion): void {
-      if (bodies.alive[id]) place(id, motion)
+    add({ density, radius, ...body }: BodyOptions): number {
+      const dense = density! > 0 ? density : 1
+      return add({
+        ...body,
+        ...checkedMotion(body, atRest),
+        radius: finite(radius, 0),
+        density: density === Infinity ? Infinity : within(dense, 1e-6, 1e6, 1),
+      })
     },
 
-    reshape(id: number, shape: Shape): void {
-      if (bodies.alive[id]) reshape(id, shape)
+    place(id: number, motion: Motion): void {
+      if (bodies.alive[id]) place(id, checkedMotion(motion, tools.read(id)))
+    },
+
+    reshape(id: number, shape: Pick<BodyOptions, 'width' | 'height' | 'radius'>): void {
+      if (bodies.alive[id]) reshape(id, { ...shape, radius: finite(shape.radius, 0) })
     },
 
     resize(width: number, height: number): void {
@@ -131,8 +167,7 @@ export function createWorld(options: WorldOptions) {
     },
 
     configure(given: Change): void {
-      const { gravity } = scene
-      change(given, { ...scene, gravity: { x: gravity[X], y: gravity[Y] } })
+      change(given, { ...scene, gravity: { x: scene.gravity[X], y: scene.gravity[Y] } })
     },
 
     /** Pose and velocity of body `id`. */

@@ -7,7 +7,7 @@ export interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number
   height: number
-  radius?: number
+  radius: number
   /** px, centre; radians clockwise on screen. */
   x: number
   y: number
@@ -36,14 +36,10 @@ export interface Grab {
 /** px (and rad), the farthest that anything lies from the stage's corner: beyond it poses lose precision. */
 export const FAR = 1e6
 
-/** `value`, or `otherwise` if it is no finite number. */
-export function finite(value: unknown, otherwise = 0): number {
-  return typeof value === 'number' && value - value === 0 ? value : otherwise
-}
-
 /** `value` brought between `least` and `most`; `otherwise` if it is not a finite number. */
 export function within(value: unknown, least: number, most: number, otherwise: number): number {
-  return Math.max(least, Math.min(most, finite(value, otherwise)))
+  const number = typeof value === 'number' && value - value === 0 ? value : otherwise
+  return Math.max(least, Math.min(most, number))
 }
 
 /** px; a size below 1 px, or none, counts as 1 px. */

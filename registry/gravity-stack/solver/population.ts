@@ -3,7 +3,7 @@ import { overlap } from './broad-phase'
 import { MAX_SPEED, REST_TIME, STEP } from './constants'
 import { removeContact, resetContacts } from './contact'
 import { updateEntry } from './entry'
-import { type BodyOptions, FAR, finite, type Motion, sizeOf, within } from './input'
+import { type BodyOptions, type Motion, sizeOf } from './input'
 import { grow } from './math'
 import { disturb, wake, wakeAlone } from './sleep'
 import { ANGLE, FIRST_CHIP, INV_MASS, type Simulation, SPIN, STATE, VX, VY, X, Y } from './state'
@@ -11,13 +11,13 @@ import { ANGLE, FIRST_CHIP, INV_MASS, type Simulation, SPIN, STATE, VX, VY, X, Y
 /** Adds a body and returns its id. */
 export function addBody(simulation: Simulation, body: BodyOptions): number {
   const { bodies, contacts, freeSlots } = simulation
-  const { density } = body
+  const { width, height, radius, density = 1 } = body
   const i = freeSlots.pop() ?? bodies.count++
   if (bodies.alive.length < bodies.count) grow(bodies)
   // `head` has an entry a body. `addContact` grows the rest when contacts need it.
   while (contacts.head.length < bodies.count) grow(contacts)
-  bodies.density[i] = density === Infinity ? Infinity : within(density! > 0 ? density : 1, 1e-6, 1e6, 1)
-  setShape(bodies, i, sizeOf(body.width), sizeOf(body.height), finite(body.radius), bodies.density[i])
+  bodies.density[i] = density
+  setShape(bodies, i, sizeOf(width), sizeOf(height), radius, density)
   bodies.state.fill(0, i * STATE, i * STATE + INV_MASS)
   setMotion(simulation, i, body)
   bodies.alive[i] = bodies.inside[i] = 1
@@ -52,7 +52,7 @@ export function placeBody(simulation: Simulation, i: number, motion: Motion): vo
 export function reshapeBody(simulation: Simulation, i: number, shape: Shape): void {
   const { bodies } = simulation
   disturb(simulation, i)
-  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), finite(shape.radius), bodies.density[i])
+  setShape(bodies, i, sizeOf(shape.width), sizeOf(shape.height), shape.radius, bodies.density[i])
   refreshBody(simulation, i)
   simulation.roomSteps = REST_TIME / STEP
 }
@@ -63,16 +63,10 @@ export type Shape = Pick<BodyOptions, 'width' | 'height' | 'radius'>
 function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
   const { state } = bodies
   const s = i * STATE
-  setPose(
-    bodies,
-    i,
-    within(motion.x, -FAR, FAR, state[s + X]),
-    within(motion.y, -FAR, FAR, state[s + Y]),
-    within(motion.angle, -FAR, FAR, state[s + ANGLE]),
-  )
-  state[s + VX] = finite(motion.vx, state[s + VX])
-  state[s + VY] = finite(motion.vy, state[s + VY])
-  state[s + SPIN] = within(motion.spin, -1000, 1000, state[s + SPIN])
+  const { x = state[s + X], y = state[s + Y], angle = state[s + ANGLE] } = motion
+  const { vx = state[s + VX], vy = state[s + VY], spin = state[s + SPIN] } = motion
+  setPose(bodies, i, x, y, angle)
+  state.set([vx, vy, spin], s + VX)
   capSpeed(state, s, MAX_SPEED)
 }
 
