@@ -4338,19 +4338,22 @@ function createSizes(
 /** `data-state` of a stage. */
 type StageState = 'static' | 'waiting' | 'running' | 'paused' | 'resting'
 
-/** The state that follows from what is known of a stage. */
-function nextState(
+/** What the state of a stage depends on. */
+interface Facts {
   /** People prefer reduced motion, or the page is printed. */
-  still: boolean,
+  still: boolean
   /** The stage has come into view and its pile can be shown. */
-  ready: boolean,
+  ready: boolean
   /** The caller has paused the stage. */
-  paused: boolean,
+  paused: boolean
   /** No chip moves, and none waits for its release. */
-  settled: boolean,
+  settled: boolean
   /** The stage is on screen, has a size, and its tab is visible. */
-  shown: boolean,
-): StageState {
+  shown: boolean
+}
+
+/** The state that follows from what is known of a stage. */
+function nextState({ still, ready, paused, settled, shown }: Facts): StageState {
   if (still) return 'static'
   if (!ready) return 'waiting'
   if (paused) return 'paused'
@@ -4427,13 +4430,13 @@ function createLifecycle(
       queue.catchUp()
       const { world } = pile
       const idle = !!world?.resting
-      const next = nextState(
-        still.matches,
-        visibility.started && !!world && !plan.settling,
-        pausing.current,
-        idle && !queue.chips.length,
-        visibility.inView && !root.ownerDocument.hidden && context.width > 0,
-      )
+      const next = nextState({
+        still: still.matches,
+        ready: visibility.started && !!world && !plan.settling,
+        paused: pausing.current,
+        settled: idle && !queue.chips.length,
+        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
+      })
       const running = next === 'running'
       if (running && !idle) loop.run()
       // Nothing moves before the next release: a timer is enough until then.

@@ -77,13 +77,13 @@ export function createLifecycle(
       queue.catchUp()
       const { world } = pile
       const idle = !!world?.resting
-      const next = nextState(
-        still.matches,
-        visibility.started && !!world && !plan.settling,
-        pausing.current,
-        idle && !queue.chips.length,
-        visibility.inView && !root.ownerDocument.hidden && context.width > 0,
-      )
+      const next = nextState({
+        still: still.matches,
+        ready: visibility.started && !!world && !plan.settling,
+        paused: pausing.current,
+        settled: idle && !queue.chips.length,
+        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
+      })
       const running = next === 'running'
       if (running && !idle) loop.run()
       // Nothing moves before the next release: a timer is enough until then.

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
-import { nextState } from './state'
+import { type Facts, nextState } from './state'
 
-const dropping = { still: false, ready: true, paused: false, settled: false, shown: true }
+const dropping: Facts = { still: false, ready: true, paused: false, settled: false, shown: true }
 
 it.each([
   ['drops its chips', {}, 'running'],
@@ -16,7 +16,6 @@ it.each([
   ['prefers reduced motion, whatever else holds', { still: true }, 'static'],
   ['prefers reduced motion before it came into view', { still: true, ready: false }, 'static'],
   ['prefers reduced motion while it is paused', { still: true, paused: true, settled: true }, 'static'],
-] satisfies [string, Partial<typeof dropping>, string][])('a stage that %s', (_, facts, state) => {
-  const { still, ready, paused, settled, shown } = { ...dropping, ...facts }
-  expect(nextState(still, ready, paused, settled, shown)).toBe(state)
+] satisfies [string, Partial<Facts>, string][])('a stage that %s', (_, facts, state) => {
+  expect(nextState({ ...dropping, ...facts })).toBe(state)
 })
