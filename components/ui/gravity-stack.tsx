@@ -4435,7 +4435,7 @@ function createLifecycle(
         ready: visibility.started && !!world && !plan.settling,
         paused: pausing.current,
         settled: idle && !queue.chips.length,
-        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
+        shown: visibility.inView && !root.ownerDocument.hidden && context.width > 0,
       })
       const running = next === 'running'
       if (running && !idle) loop.run()

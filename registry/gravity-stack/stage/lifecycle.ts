@@ -82,7 +82,7 @@ export function createLifecycle(
         ready: visibility.started && !!world && !plan.settling,
         paused: pausing.current,
         settled: idle && !queue.chips.length,
-        shown: visibility.inView && !root.ownerDocument.hidden && context.width * context.height > 0,
+        shown: visibility.inView && !root.ownerDocument.hidden && context.width > 0,
       })
       const running = next === 'running'
       if (running && !idle) loop.run()
