@@ -1,5 +1,6 @@
 // Pours with the drag and sleep of a page: all chips at once, or one by one as the stage releases them.
-import { reach, releasePose, releaseTime, type Taken } from '../../registry/gravity-stack/stage/release'
+import type { Box } from '../../registry/gravity-stack/solver/input'
+import { reach, releasePose, releaseTime } from '../../registry/gravity-stack/stage/release'
 import { createWorld } from '../../registry/gravity-stack/world'
 import { worstOverlap } from '../../scenes/exact-distance'
 import { aired } from '../../scenes/hard'
@@ -61,7 +62,7 @@ function playDrop(kind: Kind, count: number, seed: number): Run {
   return play(world, stage, shapes, ids, (frames) => {
     while (ids.length < count && releaseTime(ids.length, ids.length * stagger) <= frames * frame) {
       const { width, height, radius } = shapes[ids.length]
-      const taken = ids.flatMap((id, i): Taken[] => {
+      const taken = ids.flatMap((id, i): Box[] => {
         const { x, y } = world.read(id)
         const far = reach(shapes[i].width, shapes[i].height)
         return y < far ? [[x - far, y - far, x + far, y + far]] : []

@@ -64,7 +64,7 @@ export function createPile(options: PileOptions, shapes: Shape[]) {
 
   /** Releases chips anew that lie above a stage whose gravity does not bring them back. */
   function recover() {
-    const [x, y] = world.scene.gravity
+    const { x, y } = world.gravity
     if (y > Math.abs(x) || recovered) return
     recovered = true
     for (const id of [...ids]) {

@@ -582,6 +582,9 @@ interface Vector {
   y: number
 }
 
+/** px. */
+type Box = [left: number, top: number, right: number, bottom: number]
+
 interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number
@@ -2914,6 +2917,20 @@ function createWorld({ width, height }: { width: number; height: number }) {
       return { x: state[s + X], y: state[s + Y], angle: state[s + ANGLE], vy: state[s + VY] }
     },
 
+    /** px/s², to the right and downwards. */
+    get gravity(): Vector {
+      return { x: scene.gravity[X], y: scene.gravity[Y] }
+    },
+
+    /** The box around each obstacle. */
+    obstacleBoxes(): Box[] {
+      const boxes: Box[] = []
+      for (let i = FIRST_CHIP; i < bodies.count; i++)
+        if (bodies.alive[i] && isObstacleBody(bodies, i))
+          boxes.push(Array.from(bodies.box.subarray(4 * i, 4 * i + 4)) as Box)
+      return boxes
+    },
+
     /** What the world is made of. */
     scene,
 
@@ -3112,9 +3129,6 @@ interface Release {
   id: number
 }
 
-/** Something in the way of a release: its left, top, right and bottom, px. */
-type Taken = [left: number, top: number, right: number, bottom: number]
-
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
 function releasePose(
   index: number,
@@ -3122,7 +3136,7 @@ function releasePose(
   height: number,
   stageWidth: number,
   gravity: number,
-  taken: Taken[],
+  taken: Box[],
 ) {
   // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
@@ -3156,19 +3170,16 @@ interface Pile<T extends Release = Release> {
 
 /** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
 function addReleased<T extends Release>({ world, chips }: Pile<T>, next: T): number {
-  const taken: Taken[] = []
+  const taken: Box[] = []
   chips.forEach(({ reach }, id) => {
     const { x, y } = world.read(id)
     if (y < reach) taken.push([x - reach, y - reach, x + reach, y + reach])
   })
   // Nothing starts in an obstacle.
-  const { bodies, gravity, width: stageWidth } = world.scene
-  const { alive, box, density } = bodies
-  density.forEach((dense, i) => {
-    if (dense === Infinity && alive[i]) taken.push(Array.from(box.subarray(4 * i, 4 * i + 4)) as Taken)
-  })
+  taken.push(...world.obstacleBoxes())
   const { order, width, height } = next
-  const id = world.add({ ...next, ...releasePose(order, width, height, stageWidth, gravity[Y], taken) })
+  const pose = releasePose(order, width, height, world.scene.width, world.gravity.y, taken)
+  const id = world.add({ ...next, ...pose })
   chips[id] = next
   return id
 }
@@ -3184,10 +3195,11 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside
- * (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up, which is against gravity (px/s²), and a little
+ * aside (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
  */
-function launchMotion(number: number, height: number, { gravity, pull: length }: Simulation, angle: number) {
+function launchMotion(number: number, height: number, { x, y }: Vector, angle: number) {
+  const length = Math.sqrt(x * x + y * y)
   const either = (channel: number) => 2 * scatter(number, channel) - 1
   const pull = Math.max(length, LEAST_GRAVITY)
   const speed = Math.sqrt(2 * height * pull)
@@ -3198,8 +3210,8 @@ function launchMotion(number: number, height: number, { gravity, pull: length }:
   const drag = ANGULAR_DAMPING * flight
   const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
   const whole = 2 * Math.PI
-  const downX = length && gravity[X] / length
-  const downY = length ? gravity[Y] / length : 1
+  const downX = length && x / length
+  const downY = length ? y / length : 1
   return {
     vx: vx * downY + vy * downX,
     vy: vy * downY - vx * downX,
@@ -3853,7 +3865,7 @@ function createPile(
     launch(chip: Chip, height: number) {
       pile.touch()
       const world = pile.world!
-      world.place(chip.id, launchMotion(launches++, height, world.scene, chip.angle))
+      world.place(chip.id, launchMotion(launches++, height, world.gravity, chip.angle))
     },
 
     /** Releases chips anew that lie above a stage whose gravity would not bring them back. */

@@ -167,7 +167,7 @@ export function createWorld(options: WorldOptions) {
     },
 
     configure(given: Change): void {
-      change(given, { ...scene, gravity: { x: scene.gravity[X], y: scene.gravity[Y] } })
+      change(given, { ...scene, gravity: world.gravity })
     },
 
     /** Pose and velocity of body `id`. */

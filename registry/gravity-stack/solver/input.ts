@@ -3,6 +3,9 @@ export interface Vector {
   y: number
 }
 
+/** px. */
+export type Box = [left: number, top: number, right: number, bottom: number]
+
 export interface BodyOptions {
   /** px, outer size and corner radius. */
   width: number

@@ -1,7 +1,8 @@
+import { isObstacleBody } from './body'
 import { ANGULAR_DAMPING, BOUNCE_THRESHOLD, LINEAR_DAMPING, REST_TIME, STEP, SUBSTEPS } from './constants'
 import { copy } from './copy'
 import { grab } from './grab'
-import { within } from './input'
+import { type Box, type Vector, within } from './input'
 import { makeRoomAtOnce } from './make-room'
 import { dampingOver } from './math'
 import { addBody, placeBody, removeBody, reshapeBody } from './population'
@@ -109,6 +110,20 @@ export function createWorld({ width, height }: { width: number; height: number }
       const { state } = bodies
       const s = id * STATE
       return { x: state[s + X], y: state[s + Y], angle: state[s + ANGLE], vy: state[s + VY] }
+    },
+
+    /** px/s², to the right and downwards. */
+    get gravity(): Vector {
+      return { x: scene.gravity[X], y: scene.gravity[Y] }
+    },
+
+    /** The box around each obstacle. */
+    obstacleBoxes(): Box[] {
+      const boxes: Box[] = []
+      for (let i = FIRST_CHIP; i < bodies.count; i++)
+        if (bodies.alive[i] && isObstacleBody(bodies, i))
+          boxes.push(Array.from(bodies.box.subarray(4 * i, 4 * i + 4)) as Box)
+      return boxes
     },
 
     /** What the world is made of. */

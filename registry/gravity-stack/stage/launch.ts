@@ -1,5 +1,5 @@
 import { ANGULAR_DAMPING } from '../solver/constants'
-import { type Simulation, X, Y } from '../solver/state'
+import type { Vector } from '../solver/input'
 import { scatter } from './release'
 
 /** px/s², the least gravity that launches are computed for (D-002). */
@@ -11,15 +11,11 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up, which is against gravity, and a little aside
- * (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up, which is against gravity (px/s²), and a little
+ * aside (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
  */
-export function launchMotion(
-  number: number,
-  height: number,
-  { gravity, pull: length }: Simulation,
-  angle: number,
-) {
+export function launchMotion(number: number, height: number, { x, y }: Vector, angle: number) {
+  const length = Math.sqrt(x * x + y * y)
   const either = (channel: number) => 2 * scatter(number, channel) - 1
   const pull = Math.max(length, LEAST_GRAVITY)
   const speed = Math.sqrt(2 * height * pull)
@@ -30,8 +26,8 @@ export function launchMotion(
   const drag = ANGULAR_DAMPING * flight
   const turning = flight / (1 + drag / 2 + (drag * drag) / 12)
   const whole = 2 * Math.PI
-  const downX = length && gravity[X] / length
-  const downY = length ? gravity[Y] / length : 1
+  const downX = length && x / length
+  const downY = length ? y / length : 1
   return {
     vx: vx * downY + vy * downX,
     vy: vy * downY - vx * downX,

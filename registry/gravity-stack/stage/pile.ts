@@ -143,7 +143,7 @@ export function createPile(
     launch(chip: Chip, height: number) {
       pile.touch()
       const world = pile.world!
-      world.place(chip.id, launchMotion(launches++, height, world.scene, chip.angle))
+      world.place(chip.id, launchMotion(launches++, height, world.gravity, chip.angle))
     },
 
     /** Releases chips anew that lie above a stage whose gravity would not bring them back. */

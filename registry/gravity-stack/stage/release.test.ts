@@ -2,7 +2,8 @@ import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import { chipDistance, type Pose } from '../../../scenes/exact-distance'
 import { STEP } from '../solver/constants'
-import { reach, releasePose, releaseTime, scatter, type Taken } from './release'
+import type { Box } from '../solver/input'
+import { reach, releasePose, releaseTime, scatter } from './release'
 
 const pose = (index: number, width = 80, height = 36, stage = 640, gravity = 2600) =>
   releasePose(index, width, height, stage, gravity, [])
@@ -72,7 +73,7 @@ describe('the drop', () => {
     const far = reach(80, 36)
     const there: Pose[] = []
     for (const i of all.slice(0, 60)) {
-      const taken = there.map(({ x, y }): Taken => [x - far, y - far, x + far, y + far])
+      const taken = there.map(({ x, y }): Box => [x - far, y - far, x + far, y + far])
       const pose = releasePose(i, 80, 36, 320, 2600, taken)
       for (const other of there) expect(chipDistance(chip, pose, chip, other)).toBeGreaterThan(0)
       there.push(pose)

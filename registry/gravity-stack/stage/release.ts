@@ -1,6 +1,5 @@
 import { STEP } from '../solver/constants'
-import { within } from '../solver/input'
-import { Y } from '../solver/state'
+import { type Box, within } from '../solver/input'
 import type { World } from '../solver/world'
 
 // Each chip starts at the same place and time for the same stage and chips, in every browser. So this module
@@ -58,9 +57,6 @@ export interface Release {
   id: number
 }
 
-/** Something in the way of a release: its left, top, right and bottom, px. */
-export type Taken = [left: number, top: number, right: number, bottom: number]
-
 /** Pose and velocity of the release with this index, clear of everything that is still above the stage. */
 export function releasePose(
   index: number,
@@ -68,7 +64,7 @@ export function releasePose(
   height: number,
   stageWidth: number,
   gravity: number,
-  taken: Taken[],
+  taken: Box[],
 ) {
   // A chip that is too long to turn between the walls falls level: tilted, it would jam above the stage.
   const turns = width * width + height * height < stageWidth * stageWidth
@@ -102,19 +98,16 @@ export interface Pile<T extends Release = Release> {
 
 /** Puts a body into a pile, clear of all that is still above the stage; returns its id. */
 export function addReleased<T extends Release>({ world, chips }: Pile<T>, next: T): number {
-  const taken: Taken[] = []
+  const taken: Box[] = []
   chips.forEach(({ reach }, id) => {
     const { x, y } = world.read(id)
     if (y < reach) taken.push([x - reach, y - reach, x + reach, y + reach])
   })
   // Nothing starts in an obstacle.
-  const { bodies, gravity, width: stageWidth } = world.scene
-  const { alive, box, density } = bodies
-  density.forEach((dense, i) => {
-    if (dense === Infinity && alive[i]) taken.push(Array.from(box.subarray(4 * i, 4 * i + 4)) as Taken)
-  })
+  taken.push(...world.obstacleBoxes())
   const { order, width, height } = next
-  const id = world.add({ ...next, ...releasePose(order, width, height, stageWidth, gravity[Y], taken) })
+  const pose = releasePose(order, width, height, world.scene.width, world.gravity.y, taken)
+  const id = world.add({ ...next, ...pose })
   chips[id] = next
   return id
 }
