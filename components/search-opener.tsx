@@ -22,8 +22,8 @@ export function SearchOpener({
 }) {
   const box = useRef<HTMLDivElement>(null)
 
-  // A layout effect runs in the task in which React takes the page over. A passive effect would run later, and
-  // a key pressed before that would be lost.
+  // A layout effect runs in the task in which React takes the page over. A passive effect would run later,
+  // and a key pressed before that would be lost.
   useLayoutEffect(() => {
     const dialog = box.current!.querySelector('dialog')!
     const toggle = () => {

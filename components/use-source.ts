@@ -1,7 +1,9 @@
 import { useState } from 'react'
 import { at } from '@/lib/address'
 
-/** A file of /source as HTML, highlighted when the site was built. It is fetched when somebody asks for it. */
+/**
+ * A file of /source as HTML, highlighted when the site was built. It is fetched when somebody asks for it.
+ */
 export function useSource(name: string) {
   const [html, setHtml] = useState<string>()
   const [state, setState] = useState<'idle' | 'fetching' | 'failed'>('idle')

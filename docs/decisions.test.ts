@@ -108,6 +108,18 @@ const answers = [
   ...architecture.split('## Where does X happen')[1].matchAll(/^\| (?!-|question)(.+?) +\| (.+?) +\|$/gm),
 ]
 
+test('comments fit in 110 columns', () => {
+  const written = [...sources].filter(([path]) => /\.(tsx?|mjs)$/.test(path))
+  const wide = written.flatMap(([path, text]) =>
+    text
+      .split('\n')
+      .flatMap((line, n) =>
+        line.length > 110 && /^ *(\/\/|\*|\/\*)/.test(line) ? [`${path}:${n + 1}`] : [],
+      ),
+  )
+  expect(wide).toEqual([])
+})
+
 test('ARCHITECTURE.md is short', () => {
   expect(answers.length).toBeGreaterThan(8)
   expect(architecture.split('\n').length).toBeLessThanOrEqual(150)

@@ -1,7 +1,7 @@
 // Makes the pictures of README and of links to the site, from the component on the built home page:
 //   npm run build && node scripts/pictures.mjs
-// public/opengraph-image.png is the pile at rest, public/opengraph-loop.webp the drop before it, .github/pile-*.png the pile
-// alone in both themes.
+// public/opengraph-image.png is the pile at rest, public/opengraph-loop.webp the drop before it.
+// .github/pile-*.png is the pile alone in both themes.
 import { createRequire } from 'node:module'
 import { join } from 'node:path'
 import { chromium } from '@playwright/test'
@@ -37,7 +37,9 @@ const poster = `${alone}
 await serveSite()
 const browser = await chromium.launch({ executablePath: findBrowser()?.path })
 
-/** The home page with these styles and its pile dropped anew, in which time passes only when it is told to. */
+/**
+ * The home page with these styles and its pile dropped anew, in which time passes only when it is told to.
+ */
 async function open(css, options) {
   const page = await browser.newPage(options)
   // Picture by picture: a busy machine makes the same loop as an idle one.

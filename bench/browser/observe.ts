@@ -27,8 +27,8 @@ export function observe(counting: boolean) {
   }
   window.observed = observed
   /**
-   * In the trace, and told aloud: who measures a page asks it nothing meanwhile. It is told later, as a word to
-   * the console costs a page that is slowed four times as much as a frame.
+   * In the trace, and told aloud: who measures a page asks it nothing meanwhile. It is told later, as a word
+   * to the console costs a page that is slowed four times as much as a frame.
    */
   function mark(name: string) {
     performance.mark(name)

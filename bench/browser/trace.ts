@@ -102,7 +102,7 @@ export class Trace {
 
   /**
    * The cost of each frame of the main thread between two times. A frame lasts until the browser begins the
-   * next. `time` says how long a span counts, in µs: as the clock says, or as long as the processor was at it.
+   * next. `time` says how many µs a span counts: those of the clock, or those of the processor.
    */
   frames(from: number, to: number, time = (span: Span) => span.to - span.from) {
     const within = ({ ts }: TraceEvent) => ts >= from && ts <= to

@@ -26,7 +26,9 @@ function withoutOurTools(path: string) {
     .join(delimiter)
 }
 
-/** ms that a command may take, many times what the longest does: a hang is to fail with the command's name. */
+/**
+ * ms that a command may take, many times what the longest does: a hang is to fail with the command's name.
+ */
 const limit = 200_000
 
 export type Outcome = { code: number; output: string }
@@ -82,7 +84,8 @@ export class Project {
           npm_config_prefer_offline: 'true',
           npm_config_audit: 'false',
           npm_config_fund: 'false',
-          // ms without a byte before npm asks again, at most three times. Of its own accord it waits 5 minutes.
+          // ms without a byte before npm asks again, at most three times. Of its own accord it waits 5
+          // minutes.
           npm_config_fetch_timeout: '20000',
           npm_config_fetch_retries: '3',
           npm_config_fetch_retry_mintimeout: '1000',

@@ -11,8 +11,9 @@ const LEAST_GRAVITY = 100
 const SIDEWAYS = 0.15
 
 /**
- * The launch with this number sends a chip about `height` px up, which is against gravity (px/s²), and a little
- * aside (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes down.
+ * The launch with this number sends a chip about `height` px up, which is against gravity (px/s²), and a
+ * little aside (px/s). Its spin (rad/s) brings a chip that is drawn at `angle` upright by the time it comes
+ * down.
  */
 export function launchMotion(number: number, height: number, { x, y }: Vector, angle: number) {
   const length = Math.sqrt(x * x + y * y)
