@@ -182,7 +182,7 @@ const wrong: Record<string, RegExp> = {
   flat: /an obstacle has no size, so .+\. They land on it once it has one/,
   whole: /an obstacle is as large as its stage .+, so .+\. Make it smaller/,
   ancestor: /an obstacle is the stage itself or around it, so .+\. Pass elements beside/,
-  null: /a ref among obstacles leads to no element yet, so .+ give its element the ref/,
+  null: /a ref among obstacles leads to no element yet, so .+\. Give an element this ref, then render/,
   lid: /an obstacle reaches out of the top of its stage .+, so .+\. Move it down/,
 }
 for (const [odd, message] of Object.entries(wrong))
