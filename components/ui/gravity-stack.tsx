@@ -2783,7 +2783,7 @@ function grab(simulation: Simulation, i: number, x: number, y: number): Grab {
   joints.push(joint)
   return {
     moveTo(toX, toY, seconds) {
-      // A stage that has just been hidden has no places.
+      // In a stage that has just been hidden the place of a pointer is no finite number.
       movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), seconds)
     },
     release() {
@@ -2808,9 +2808,13 @@ function copy(from: object, to: object): void {
   const target = to as Record<string, unknown>
   for (const [name, value] of Object.entries(from)) {
     if (name === 'joints') continue
+    const own = target[name]
     if (typeof value !== 'object') target[name] = value
-    else if ('slice' in value) target[name] = value.slice()
-    else copy(value, target[name] as object)
+    else if (Array.isArray(value)) target[name] = [...value]
+    else if (!ArrayBuffer.isView(value)) copy(value as object, own as object)
+    else if ((own as Float64Array).length === (value as Float64Array).length)
+      (own as Float64Array).set(value as Float64Array)
+    else target[name] = (value as Float64Array).slice()
   }
 }
 
@@ -4013,6 +4017,7 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
     const box = root.getBoundingClientRect()
     if (!(box.width * box.height)) return
     const toStage = pointerMap(root, box)
+    let moved = false
     all.forEach((obstacle, element) => {
       const rect = element.getBoundingClientRect()
       watchPlace(element, obstacle, rect)
@@ -4037,12 +4042,14 @@ function createObstacles({ root, view, still, settings }: Context, pile: StagePi
       if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
       const place = [x, y, angle, width, height, radius, +fits]
       if (obstacle.placed?.every((n, i) => Math.abs(n - place[i]!) < UNNOTICED)) return
+      moved = true
       obstacle.placed = place
       world.remove(obstacle.id)
       obstacle.id =
         fits && width * height ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
-    pile.makeRoom()
+    // Scrolling the page measures all of them again and moves none.
+    if (moved) pile.makeRoom()
   }
 
   const obstacles = {
@@ -4255,10 +4262,7 @@ function createFocus(
     /** The element that has the focus, in the page or the shadow tree. */
     active: () => (root.getRootNode() as Document).activeElement,
 
-    /**
-     * In a paused stage no time passes: puts a chip, or the one with the focus, to where people can see that
-     * chip.
-     */
+    /** In a paused stage, where no time passes, moves a chip into sight: without one, that with the focus. */
     bringIn(chip = chipAt(chips, focus.active())) {
       if (!chip || !pile.world || !pausing.current) return
       if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return
@@ -4527,7 +4531,7 @@ function createClicks({ root, view, chips, update }: Context, pile: StagePile, {
 
   return {
     listen(on: Listen) {
-      // A drag that ends without a click stops no click of the next press, which may be outside of the stage.
+      // A drag may end without a click. It must not stop the click of a later press.
       on(view, 'pointerdown', () => (dragged = false))
       on(view, 'click', stopAfterDrag)
       on(root, 'click', click)

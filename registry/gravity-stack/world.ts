@@ -185,7 +185,7 @@ export function createWorld(options: WorldOptions) {
       }
     },
 
-    /** Of a body that is gone, and of an obstacle, nothing comes. */
+    /** Grabbing a body that is gone, or an obstacle, does nothing. */
     grab(id: number, x: number, y: number): Grab {
       if (!bodies.alive[id] || isObstacleBody(bodies, id)) return { moveTo() {}, release() {} }
       const at = tools.read(id)

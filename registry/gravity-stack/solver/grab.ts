@@ -16,7 +16,7 @@ export function grab(simulation: Simulation, i: number, x: number, y: number): G
   joints.push(joint)
   return {
     moveTo(toX, toY, seconds) {
-      // A stage that has just been hidden has no places.
+      // In a stage that has just been hidden the place of a pointer is no finite number.
       movePointer(joint, within(toX, -FAR, FAR, joint.x), within(toY, -FAR, FAR, joint.y), seconds)
     },
     release() {

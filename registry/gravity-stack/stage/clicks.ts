@@ -32,7 +32,7 @@ export function createClicks({ root, view, chips, update }: Context, pile: Stage
 
   return {
     listen(on: Listen) {
-      // A drag that ends without a click stops no click of the next press, which may be outside of the stage.
+      // A drag may end without a click. It must not stop the click of a later press.
       on(view, 'pointerdown', () => (dragged = false))
       on(view, 'click', stopAfterDrag)
       on(root, 'click', click)

@@ -50,10 +50,7 @@ export function createFocus(
     /** The element that has the focus, in the page or the shadow tree. */
     active: () => (root.getRootNode() as Document).activeElement,
 
-    /**
-     * In a paused stage no time passes: puts a chip, or the one with the focus, to where people can see that
-     * chip.
-     */
+    /** In a paused stage, where no time passes, moves a chip into sight: without one, that with the focus. */
     bringIn(chip = chipAt(chips, focus.active())) {
       if (!chip || !pile.world || !pausing.current) return
       if (chip.id < 0 ? !pile.withdraw(chip) : chip.state === 'resting' || chip.y > 0) return

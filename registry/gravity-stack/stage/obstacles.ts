@@ -82,6 +82,7 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
     const box = root.getBoundingClientRect()
     if (!(box.width * box.height)) return
     const toStage = pointerMap(root, box)
+    let moved = false
     all.forEach((obstacle, element) => {
       const rect = element.getBoundingClientRect()
       watchPlace(element, obstacle, rect)
@@ -106,12 +107,14 @@ export function createObstacles({ root, view, still, settings }: Context, pile: 
       if (process.env.NODE_ENV !== 'production') warnOfPlace(root, x, y, angle, width, height)
       const place = [x, y, angle, width, height, radius, +fits]
       if (obstacle.placed?.every((n, i) => Math.abs(n - place[i]!) < UNNOTICED)) return
+      moved = true
       obstacle.placed = place
       world.remove(obstacle.id)
       obstacle.id =
         fits && width * height ? world.add({ x, y, angle, width, height, radius, density: Infinity }) : -1
     })
-    pile.makeRoom()
+    // Scrolling the page measures all of them again and moves none.
+    if (moved) pile.makeRoom()
   }
 
   const obstacles = {
