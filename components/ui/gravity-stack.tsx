@@ -60,9 +60,9 @@ const UNEVEN_VISITS = 6000
 const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
-const TOLERANCE = 0.03
+const TOLERANCE = 0.05
 /** px/s. Least tolerance while something moves. More lets piles creep for ever. */
-const LEAST_TOLERANCE = 0.05
+const LEAST_TOLERANCE = 0.2
 /** px/s. Most tolerance. More leaves pours deeper in one another. */
 const MOST_TOLERANCE = 20
 /** px/s. Tolerance of a resting world; a body in balance gains at most four times as much in a sub-step. */
@@ -81,7 +81,7 @@ const LOOKAHEAD = 1.25
  * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
  * (D-022).
  */
-const RECYCLE_DISTANCE = 0.25
+const RECYCLE_DISTANCE = 0.5
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 const WALL_RECYCLE_DISTANCE = 0.001
 
@@ -1460,12 +1460,12 @@ function updateSleep(simulation: Simulation): void {
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
-  // group awake to be corrected, for twice the time of rest at most: chips that do not fit would never sleep.
+  // group awake to be corrected, for four times the time of rest at most, as chips that do not fit stay.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     if (contacts.points[c] === 0) continue
     const root = findGroup(parent, contacts.pair[2 * c + 1])
-    if (groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    if (groupRest[root] < REST_TIME || groupRest[root] > 4 * REST_TIME) continue
     manifold[WIDEST] = SPECULATIVE_DISTANCE
     manifold[LEAD] = 0
     updateContact(simulation, c)
@@ -1856,10 +1856,10 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
  * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep.
  */
-function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
+function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
-  const { state: s, immovable } = bodies
+  const { state: s, changed, immovable } = bodies
   const d = contacts.data
   const k = c * CONTACT
   let inverseMass = 0
@@ -1872,6 +1872,7 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
     if (immovable[i] > 0) continue
+    if (gap < -DEEP_OVERLAP) changed[i] = turn
     const by = side > 0 ? push : -push
     s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
     s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
@@ -1886,20 +1887,25 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
  */
 function correctEarly(simulation: Simulation, c: number, p: number): void {
   if (manifold[GAP_NOW] + LINEAR_SLOP + manifold[RATE_NOW] * simulation.h > 0) return
-  correctPoint(simulation, c, p)
+  correctPoint(simulation, c, p, 0)
 }
 
 /** Corrects the live contacts once; returns whether one of those that must separate was deep. */
-function correctPositions(simulation: Simulation): boolean {
+function correctPositions(simulation: Simulation, pass: number): boolean {
   const { live, liveCount, pair, points } = simulation.contacts
-  const { immovable } = simulation.bodies
+  const { changed, immovable } = simulation.bodies
+  if (pass === 0) changed.fill(0)
   let deep = false
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
-    if ((immovable[pair[2 * c]] & immovable[pair[2 * c + 1]]) > 0) continue
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const turn = pass * liveCount + n + 1
+    const last = turn - liveCount
+    if ((immovable[a] & immovable[b]) > 0 || ((changed[a] - last) & (changed[b] - last)) < 0) continue
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (correctPoint(simulation, c, p) && mustSeparate(simulation, c)) deep = true
+      if (correctPoint(simulation, c, p, turn) && mustSeparate(simulation, c)) deep = true
     }
   }
   return deep
@@ -1912,12 +1918,12 @@ function correctPositions(simulation: Simulation): boolean {
 function correctOverlaps(simulation: Simulation): void {
   const { bodies } = simulation
   const { awake, awakeCount, immovable } = bodies
-  let deep = correctPositions(simulation)
+  let deep = correctPositions(simulation, 0)
   if (deep) {
     immovable.fill(1)
     for (let n = 0; n < awakeCount; n++)
       if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) immovable[awake[n]] = 0
-    for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
+    for (let n = 1; n <= CORRECTIONS && deep; n++) deep = correctPositions(simulation, n)
     immovable.fill(0)
   }
   // An overlap that stays deep for many steps is a wedge.
@@ -1931,12 +1937,15 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
   return roomSteps > 0 || speed <= SLOW_CONTACT
 }
 
-/** Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. */
+/**
+ * Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. Chips
+ * side by side are wedged far sooner than chips on top of one another, which the weight above presses.
+ */
 function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
-  const { live, liveCount, pair, points } = simulation.contacts
-  let deepest = -REST_DISTANCE
+  const { data, live, liveCount, pair, points } = simulation.contacts
+  let deepest = 0
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
@@ -1944,9 +1953,11 @@ function liftWedged(simulation: Simulation): void {
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
     if (!mustSeparate(simulation, c)) continue
+    const level = Math.abs(data[c * CONTACT + NORMAL_X]) > Math.abs(data[c * CONTACT + NORMAL_Y])
+    const wedged = level ? -2 * DEEP_OVERLAP : -REST_DISTANCE
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (manifold[GAP_NOW] >= deepest) continue
+      if (manifold[GAP_NOW] >= Math.min(deepest, wedged)) continue
       deepest = manifold[GAP_NOW]
       higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
       lower = a + b - higher
@@ -2079,23 +2090,38 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
+/** Whether body `i` is in no pile: beside contact `c`, no chip carries it or is carried by it. */
+function isFree({ bodies, contacts }: Simulation, i: number, c: number): boolean {
+  const { head, next, pair } = contacts
+  for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
+    const other = edge >> 1
+    if (other !== c && normalImpulse(contacts, other) > 0 && !isStatic(bodies, pair[edge ^ 1])) return false
+  }
+  return true
+}
+
 /** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
 function solveImpact(simulation: Simulation, c: number): void {
   const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, live, next, pair, points } = contacts
   const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
+  const a = pair[2 * c]
+  const b = pair[2 * c + 1]
+  const free = isFree(simulation, a, c) && isFree(simulation, b, c)
+  // In a pile each contact has one impact at most in a sub-step.
+  if (!free && contacts.queue.indexOf(c) < contacts.queueFirst - 1) return
   if (!foreseeImpact(simulation, c)) return
   // Measured again at the time of impact until that time stands still.
   let time = -1
-  for (let n = 0; n < 6 && Math.abs(ahead[0] - time) > 1e-13; n++) {
+  for (let n = 0; free && n < 6 && Math.abs(ahead[0] - time) > 1e-13; n++) {
     time = ahead[0]
     measureAt(simulation, c, time)
     if (!foreseeImpact(simulation, c)) return
   }
   time = ahead[0]
-  const a = pair[2 * c]
-  const b = pair[2 * c + 1]
+  // Where the pose goes back from: 0, the start of the sub-step, in a pile.
+  const at = free ? time : 0
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
   d[k + TANGENT_BIAS] = (-rateGain(simulation, c, k + ARM_TA, true) * time) / h
   // The impulses of an impact are its own: those of the contact wait meanwhile.
@@ -2104,8 +2130,6 @@ function solveImpact(simulation: Simulation, c: number): void {
   const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
-  // Two bodies that nothing carries are solved exactly, others to `LEAST_TOLERANCE`.
-  const free = motion[a * MOTION + WARM_Y] === 0 && motion[b * MOTION + WARM_Y] === 0
   impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0
   live[0] = c
@@ -2134,11 +2158,11 @@ function solveImpact(simulation: Simulation, c: number): void {
     const s = i * STATE + (n % 3)
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
-    state[s] -= change * time
+    state[s] -= change * at
     // A static body never counts as moved: `trackTravel` would not clear that again.
     if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
-    motion[i * MOTION + STRUCK_AT] = time
+    motion[i * MOTION + STRUCK_AT] = at
   }
 
   // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
@@ -2151,7 +2175,7 @@ function solveImpact(simulation: Simulation, c: number): void {
       if (other === c) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
-      if (points[other] === 0) measureAt(simulation, other, time)
+      if (points[other] === 0) measureAt(simulation, other, at)
       // A sleeper about to be hit wakes now: in the next sub-step the two would already overlap.
       if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }
@@ -2255,7 +2279,7 @@ function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < PASSES && correctPositions(simulation)) passes++
+    while (passes < PASSES && correctPositions(simulation, passes)) passes++
     visits -= (passes + 1) * nearCount
     // Chips side by side between two walls that come nearer have room only above them.
     if (passes === PASSES) liftWedged(simulation)

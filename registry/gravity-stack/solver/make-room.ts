@@ -29,7 +29,7 @@ export function makeRoom(simulation: Simulation): void {
     }
     contacts.liveCount = nearCount
     let passes = 0
-    while (passes < PASSES && correctPositions(simulation)) passes++
+    while (passes < PASSES && correctPositions(simulation, passes)) passes++
     visits -= (passes + 1) * nearCount
     // Chips side by side between two walls that come nearer have room only above them.
     if (passes === PASSES) liftWedged(simulation)

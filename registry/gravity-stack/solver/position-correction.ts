@@ -32,12 +32,13 @@ import {
 
 /**
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
- * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep.
+ * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep one
+ * moves has changed in this `turn`.
  */
-function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): boolean {
+function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
-  const { state: s, immovable } = bodies
+  const { state: s, changed, immovable } = bodies
   const d = contacts.data
   const k = c * CONTACT
   let inverseMass = 0
@@ -50,6 +51,7 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
     if (immovable[i] > 0) continue
+    if (gap < -DEEP_OVERLAP) changed[i] = turn
     const by = side > 0 ? push : -push
     s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
     s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
@@ -64,20 +66,28 @@ function correctPoint({ bodies, contacts }: Simulation, c: number, p: number): b
  */
 export function correctEarly(simulation: Simulation, c: number, p: number): void {
   if (manifold[GAP_NOW] + LINEAR_SLOP + manifold[RATE_NOW] * simulation.h > 0) return
-  correctPoint(simulation, c, p)
+  correctPoint(simulation, c, p, 0)
 }
 
-/** Corrects the live contacts once; returns whether one of those that must separate was deep. */
-export function correctPositions(simulation: Simulation): boolean {
+/**
+ * Corrects the live contacts once, in `pass` 0, and after it those of which a deep correction has moved a body
+ * since their last turn. Returns whether one of those that must separate was deep.
+ */
+export function correctPositions(simulation: Simulation, pass: number): boolean {
   const { live, liveCount, pair, points } = simulation.contacts
-  const { immovable } = simulation.bodies
+  const { changed, immovable } = simulation.bodies
+  if (pass === 0) changed.fill(0)
   let deep = false
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
-    if ((immovable[pair[2 * c]] & immovable[pair[2 * c + 1]]) > 0) continue
+    const a = pair[2 * c]
+    const b = pair[2 * c + 1]
+    const turn = pass * liveCount + n + 1
+    const last = turn - liveCount
+    if ((immovable[a] & immovable[b]) > 0 || ((changed[a] - last) & (changed[b] - last)) < 0) continue
     for (let p = c * CONTACT, m = points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (correctPoint(simulation, c, p) && mustSeparate(simulation, c)) deep = true
+      if (correctPoint(simulation, c, p, turn) && mustSeparate(simulation, c)) deep = true
     }
   }
   return deep
@@ -90,12 +100,12 @@ export function correctPositions(simulation: Simulation): boolean {
 export function correctOverlaps(simulation: Simulation): void {
   const { bodies } = simulation
   const { awake, awakeCount, immovable } = bodies
-  let deep = correctPositions(simulation)
+  let deep = correctPositions(simulation, 0)
   if (deep) {
     immovable.fill(1)
     for (let n = 0; n < awakeCount; n++)
       if (speedOf(bodies, awake[n]) <= SLOW_CONTACT) immovable[awake[n]] = 0
-    for (let n = CORRECTIONS; n > 0 && deep; n--) deep = correctPositions(simulation)
+    for (let n = 1; n <= CORRECTIONS && deep; n++) deep = correctPositions(simulation, n)
     immovable.fill(0)
   }
   // An overlap that stays deep for many steps is a wedge.
@@ -109,12 +119,15 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
   return roomSteps > 0 || speed <= SLOW_CONTACT
 }
 
-/** Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. */
+/**
+ * Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. Chips
+ * side by side are wedged far sooner than chips on top of one another, which the weight above presses.
+ */
 export function liftWedged(simulation: Simulation): void {
   const { bodies } = simulation
   const { density, state } = bodies
-  const { live, liveCount, pair, points } = simulation.contacts
-  let deepest = -REST_DISTANCE
+  const { data, live, liveCount, pair, points } = simulation.contacts
+  let deepest = 0
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
@@ -122,9 +135,11 @@ export function liftWedged(simulation: Simulation): void {
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
     if (!mustSeparate(simulation, c)) continue
+    const level = Math.abs(data[c * CONTACT + NORMAL_X]) > Math.abs(data[c * CONTACT + NORMAL_Y])
+    const wedged = level ? -2 * DEEP_OVERLAP : -REST_DISTANCE
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
-      if (manifold[GAP_NOW] >= deepest) continue
+      if (manifold[GAP_NOW] >= Math.min(deepest, wedged)) continue
       deepest = manifold[GAP_NOW]
       higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
       lower = a + b - higher

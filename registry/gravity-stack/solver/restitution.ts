@@ -7,7 +7,14 @@ import {
   LOOKAHEAD,
   SPECULATIVE_DISTANCE,
 } from './constants'
-import { closingDistance, rateGain, separationAndRate, separationBound, updateContact } from './contact'
+import {
+  closingDistance,
+  normalImpulse,
+  rateGain,
+  separationAndRate,
+  separationBound,
+  updateContact,
+} from './contact'
 import { iterate } from './contact-solver'
 import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
 import { gatherContacts, wake } from './sleep'
@@ -28,13 +35,15 @@ import {
   TANGENT_IMPULSE,
   VELOCITY_BIAS,
   VX,
-  WARM_Y,
 } from './state'
 
 /**
  * Restitution: impacts one contact at a time, in the order of their times inside the sub-step. The velocity
  * changes at the start of the sub-step, so the pose goes back by the change times the time. That makes each
  * impact exact, at any step. Then the contacts of both bodies are tested for impacts again.
+ *
+ * In a pile the contact solver takes most of the change away again, and a pose that had gone back would stay
+ * where nothing moved it. There an impact happens where the bodies are, at the start of the sub-step (D-025).
  */
 
 /** s from the start of the sub-step at which the contact that `foreseeImpact` looked at will hit. */
@@ -126,23 +135,38 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
+/** Whether body `i` is in no pile: beside contact `c`, no chip carries it or is carried by it. */
+function isFree({ bodies, contacts }: Simulation, i: number, c: number): boolean {
+  const { head, next, pair } = contacts
+  for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
+    const other = edge >> 1
+    if (other !== c && normalImpulse(contacts, other) > 0 && !isStatic(bodies, pair[edge ^ 1])) return false
+  }
+  return true
+}
+
 /** Solves the impact of contact `c` if it still will hit, and queues what it sends its bodies into. */
 function solveImpact(simulation: Simulation, c: number): void {
   const { bodies, contacts, h, impactRegime } = simulation
   const { data: d, head, live, next, pair, points } = contacts
   const { asleep, changed, knocked, moved, state, motion } = bodies
   const k = c * CONTACT
+  const a = pair[2 * c]
+  const b = pair[2 * c + 1]
+  const free = isFree(simulation, a, c) && isFree(simulation, b, c)
+  // In a pile each contact has one impact at most in a sub-step.
+  if (!free && contacts.queue.indexOf(c) < contacts.queueFirst - 1) return
   if (!foreseeImpact(simulation, c)) return
   // Measured again at the time of impact until that time stands still.
   let time = -1
-  for (let n = 0; n < 6 && Math.abs(ahead[0] - time) > 1e-13; n++) {
+  for (let n = 0; free && n < 6 && Math.abs(ahead[0] - time) > 1e-13; n++) {
     time = ahead[0]
     measureAt(simulation, c, time)
     if (!foreseeImpact(simulation, c)) return
   }
   time = ahead[0]
-  const a = pair[2 * c]
-  const b = pair[2 * c + 1]
+  // s from the start of the sub-step at which the impact happens.
+  const at = free ? time : 0
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
   d[k + TANGENT_BIAS] = (-rateGain(simulation, c, k + ARM_TA, true) * time) / h
   // The impulses of an impact are its own: those of the contact wait meanwhile.
@@ -151,8 +175,6 @@ function solveImpact(simulation: Simulation, c: number): void {
   const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
-  // Two bodies that nothing carries are solved exactly, others to `LEAST_TOLERANCE`.
-  const free = motion[a * MOTION + WARM_Y] === 0 && motion[b * MOTION + WARM_Y] === 0
   impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0
   live[0] = c
@@ -181,11 +203,11 @@ function solveImpact(simulation: Simulation, c: number): void {
     const s = i * STATE + (n % 3)
     const change = share * (state[s + VX] - kept[6 + n])
     state[s + VX] = kept[6 + n] + change
-    state[s] -= change * time
+    state[s] -= change * at
     // A static body never counts as moved: `trackTravel` would not clear that again.
     if (isStatic(bodies, i)) continue
     moved[i] = knocked[i] = 1
-    motion[i * MOTION + STRUCK_AT] = time
+    motion[i * MOTION + STRUCK_AT] = at
   }
 
   // The other end may hit too. Only a later hit counts, or a chip would rattle from end to end for ever.
@@ -198,7 +220,7 @@ function solveImpact(simulation: Simulation, c: number): void {
       if (other === c) continue
       const way = SPECULATIVE_DISTANCE + closingDistance(simulation, other, LOOKAHEAD * h)
       if (separationBound(simulation, other) > way) continue
-      if (points[other] === 0) measureAt(simulation, other, time)
+      if (points[other] === 0) measureAt(simulation, other, at)
       // A sleeper about to be hit wakes now: in the next sub-step the two would already overlap.
       if (queueImpact(simulation, other) && asleep[pair[edge ^ 1]] > 0) wake(simulation, pair[edge ^ 1])
     }

@@ -64,12 +64,12 @@ export function updateSleep(simulation: Simulation): void {
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
-  // group awake to be corrected, for twice the time of rest at most: chips that do not fit would never sleep.
+  // group awake to be corrected, for four times the time of rest at most, as chips that do not fit stay.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     if (contacts.points[c] === 0) continue
     const root = findGroup(parent, contacts.pair[2 * c + 1])
-    if (groupRest[root] < REST_TIME || groupRest[root] > 2 * REST_TIME) continue
+    if (groupRest[root] < REST_TIME || groupRest[root] > 4 * REST_TIME) continue
     manifold[WIDEST] = SPECULATIVE_DISTANCE
     manifold[LEAD] = 0
     updateContact(simulation, c)

@@ -106,7 +106,10 @@ export class Bodies {
   held: Uint8Array = new Uint8Array(FIRST_CHIP)
   awake: Int32Array = new Int32Array(FIRST_CHIP)
   awakeCount = 0
-  /** Turn of the contact solver in which the body's velocity last changed by more than the tolerance. */
+  /**
+   * Turn of the contact solver in which the body's velocity last changed by more than the tolerance, or turn of
+   * the position correction that last moved it out of a deep overlap.
+   */
   changed: Int32Array = new Int32Array(FIRST_CHIP)
   /**
    * Parent of each body in the forest of groups that fall asleep together, and the shortest rest of a root's
