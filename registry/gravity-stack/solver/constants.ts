@@ -47,9 +47,9 @@ export const UNEVEN_VISITS = 6000
 export const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
-export const TOLERANCE = 0.05
+export const TOLERANCE = 0.03
 /** px/s. Least tolerance while something moves. More lets piles creep for ever. */
-export const LEAST_TOLERANCE = 0.2
+export const LEAST_TOLERANCE = 0.05
 /** px/s. Most tolerance. More leaves pours deeper in one another. */
 export const MOST_TOLERANCE = 20
 /** px/s. Tolerance of a resting world; a body in balance gains at most four times as much in a sub-step. */
@@ -68,7 +68,7 @@ export const LOOKAHEAD = 1.25
  * px of relative motion for which a manifold serves. More lags behind what rolls, less measures more often
  * (D-022).
  */
-export const RECYCLE_DISTANCE = 0.5
+export const RECYCLE_DISTANCE = 0.25
 /** px. The same at a wall, where arms that lag show in how a chip rolls and topples. */
 export const WALL_RECYCLE_DISTANCE = 0.001
 
@@ -121,7 +121,7 @@ export const CORRECTION = 0.7
 export const MAX_CORRECTION = 4
 /**
  * px of overlap from which slow contacts are corrected again within a step. An overlap of twice this keeps a
- * group awake, and wedges chips side by side (D-027).
+ * group awake, one of four times this wedges chips side by side (D-027).
  */
 export const DEEP_OVERLAP = 0.02
 /**

@@ -136,7 +136,7 @@ export function liftWedged(simulation: Simulation): void {
     const b = pair[2 * c + 1]
     if (!mustSeparate(simulation, c)) continue
     const level = Math.abs(data[c * CONTACT + NORMAL_X]) > Math.abs(data[c * CONTACT + NORMAL_Y])
-    const wedged = level ? -2 * DEEP_OVERLAP : -REST_DISTANCE
+    const wedged = level ? -4 * DEEP_OVERLAP : -REST_DISTANCE
     for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
       separationAndRate(simulation, c, p)
       if (manifold[GAP_NOW] >= Math.min(deepest, wedged)) continue
