@@ -327,8 +327,8 @@ class Bodies {
   awake: Int32Array = new Int32Array(FIRST_CHIP)
   awakeCount = 0
   /**
-   * Turn of the contact solver in which the body's velocity last changed by more than the tolerance, or turn of
-   * the position correction that last moved it out of a deep overlap.
+   * Turn of the contact solver in which the body's velocity last changed by more than the tolerance, or turn
+   * of the position correction that last moved it out of a deep overlap.
    */
   changed: Int32Array = new Int32Array(FIRST_CHIP)
   /**
@@ -1857,8 +1857,8 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
 
 /**
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
- * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep one
- * moves has changed in this `turn`.
+ * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep
+ * one moves has changed in this `turn`.
  */
 function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
@@ -1895,8 +1895,8 @@ function correctEarly(simulation: Simulation, c: number, p: number): void {
 }
 
 /**
- * Corrects the live contacts once, in `pass` 0, and after it those of which a deep correction has moved a body
- * since their last turn. Returns whether one of those that must separate was deep.
+ * Corrects the live contacts once, in `pass` 0; in later passes those of which a deep correction has moved a
+ * body since their last turn. Returns whether one of those that must separate was deep.
  */
 function correctPositions(simulation: Simulation, pass: number): boolean {
   const { live, liveCount, pair, points } = simulation.contacts

@@ -32,8 +32,8 @@ import {
 
 /**
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
- * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep one
- * moves has changed in this `turn`.
+ * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep
+ * one moves has changed in this `turn`.
  */
 function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
@@ -70,8 +70,8 @@ export function correctEarly(simulation: Simulation, c: number, p: number): void
 }
 
 /**
- * Corrects the live contacts once, in `pass` 0, and after it those of which a deep correction has moved a body
- * since their last turn. Returns whether one of those that must separate was deep.
+ * Corrects the live contacts once, in `pass` 0; in later passes those of which a deep correction has moved a
+ * body since their last turn. Returns whether one of those that must separate was deep.
  */
 export function correctPositions(simulation: Simulation, pass: number): boolean {
   const { live, liveCount, pair, points } = simulation.contacts

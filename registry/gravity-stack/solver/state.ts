@@ -107,8 +107,8 @@ export class Bodies {
   awake: Int32Array = new Int32Array(FIRST_CHIP)
   awakeCount = 0
   /**
-   * Turn of the contact solver in which the body's velocity last changed by more than the tolerance, or turn of
-   * the position correction that last moved it out of a deep overlap.
+   * Turn of the contact solver in which the body's velocity last changed by more than the tolerance, or turn
+   * of the position correction that last moved it out of a deep overlap.
    */
   changed: Int32Array = new Int32Array(FIRST_CHIP)
   /**
