@@ -1463,7 +1463,7 @@ function updateSleep(simulation: Simulation): void {
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
-  // group awake to be corrected, for four times the time of rest at most, as chips that do not fit stay.
+  // group awake to be corrected, for four times `REST_TIME` at most: chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     if (contacts.points[c] === 0) continue
@@ -1907,6 +1907,7 @@ function correctPositions(simulation: Simulation, pass: number): boolean {
     const c = live[n]
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
+    // Skipped, as in `iterate`, unless a body changed since the contact's last turn.
     const turn = pass * liveCount + n + 1
     const last = turn - liveCount
     if ((immovable[a] & immovable[b]) > 0 || ((changed[a] - last) & (changed[b] - last)) < 0) continue
@@ -2100,7 +2101,7 @@ function measureAt(simulation: Simulation, c: number, time: number): void {
   for (let n = 0; n < 6; n++) state[contacts.pair[2 * c + (n > 2 ? 1 : 0)] * STATE + (n % 3)] = kept[n]
 }
 
-/** Whether body `i` is in no pile: beside contact `c`, no chip carries it or is carried by it. */
+/** Whether body `i` is in no pile: apart from contact `c`, no contact with another chip pushes it. */
 function isFree({ bodies, contacts }: Simulation, i: number, c: number): boolean {
   const { head, next, pair } = contacts
   for (let edge = isStatic(bodies, i) ? -1 : head[i]; edge >= 0; edge = next[edge]) {
@@ -2130,7 +2131,7 @@ function solveImpact(simulation: Simulation, c: number): void {
     if (!foreseeImpact(simulation, c)) return
   }
   time = ahead[0]
-  // s from the start of the sub-step at which the impact happens.
+  // In a pile the bodies are struck where they are, at the start of the sub-step.
   const at = free ? time : 0
   // Slip at the time of impact is what it is at the start, and what gravity and contacts add until then.
   d[k + TANGENT_BIAS] = (-rateGain(simulation, c, k + ARM_TA, true) * time) / h
@@ -2140,6 +2141,7 @@ function solveImpact(simulation: Simulation, c: number): void {
   const tangent = d[k + TANGENT_IMPULSE]
   d[k + NORMAL_IMPULSE] = d[k + SECOND + NORMAL_IMPULSE] = d[k + TANGENT_IMPULSE] = 0
   for (let n = 0; n < 6; n++) kept[6 + n] = state[(n > 2 ? b : a) * STATE + VX + (n % 3)]
+  // Two bodies in no pile are solved exactly, others to `LEAST_TOLERANCE`.
   impactRegime.tolerance = free ? 1e-11 : LEAST_TOLERANCE
   changed[a] = changed[b] = 0
   live[0] = c

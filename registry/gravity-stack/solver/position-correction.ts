@@ -82,6 +82,7 @@ export function correctPositions(simulation: Simulation, pass: number): boolean 
     const c = live[n]
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
+    // Skipped, as in `iterate`, unless a body changed since the contact's last turn.
     const turn = pass * liveCount + n + 1
     const last = turn - liveCount
     if ((immovable[a] & immovable[b]) > 0 || ((changed[a] - last) & (changed[b] - last)) < 0) continue

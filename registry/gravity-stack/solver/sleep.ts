@@ -64,7 +64,7 @@ export function updateSleep(simulation: Simulation): void {
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
-  // group awake to be corrected, for four times the time of rest at most, as chips that do not fit stay.
+  // group awake to be corrected, for four times `REST_TIME` at most: chips that do not fit would never sleep.
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
     if (contacts.points[c] === 0) continue
