@@ -41,7 +41,10 @@ const SUBSTEPS = 6
 
 // Regimes (D-021) -------------------------------------------------------------------------------------------
 
-/** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
+/**
+ * px/s. Where nothing is faster, or gains as much in a step, all is in balance: one sub-step tells what the
+ * others would.
+ */
 const RESTING_SPEED = 0.4
 
 /**
@@ -56,17 +59,18 @@ const ITERATIONS = 16
  * frame.
  */
 const UNEVEN_VISITS = 6000
-/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours overlap deeper. */
+/**
+ * SOR factor of what is faster than `SLOW_CONTACT`: an impulse is taken this much further than its contact
+ * asks. With 1 pours overlap deeper.
+ */
 const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
 const TOLERANCE = 0.03
-/** px/s. Least tolerance while something moves. More lets piles creep for ever. */
+/** px/s. Least tolerance. More lets large piles creep for longer. */
 const LEAST_TOLERANCE = 0.05
 /** px/s. Most tolerance. More leaves pours deeper in one another. */
 const MOST_TOLERANCE = 20
-/** px/s. Tolerance of a resting world; a body in balance gains at most four times as much in a sub-step. */
-const RESTING_TOLERANCE = 0.003
 
 // Contacts and impacts (D-022, D-023, D-024, D-025) ---------------------------------------------------------
 
@@ -164,7 +168,7 @@ const ROOM_VISITS = 200_000
  * px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more
  * often.
  */
-const AABB_MARGIN = 8
+const AABB_MARGIN = 4
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
 
@@ -468,11 +472,8 @@ class Regime {
   tolerance = 0.5
   /** SOR factor. */
   relaxation = 0.5
-
   /** Ratio of the heaviest mass to the lightest. */
   massRatio = 0.5
-  /** Whether nothing is fast. */
-  resting = false
 }
 
 /**
@@ -1559,11 +1560,10 @@ function gatherContacts(simulation: Simulation): void {
 // solver/regime: how exactly a step is solved ───────────────────────────────────────────────────────────────
 
 /**
- * Chooses how exactly a step is solved, by the fastest point of all that is awake:
- *
- * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
- * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
+ * Chooses how exactly a step is solved, by the fastest point of all that is awake. The tolerance is 3 % of
+ * its speed, within 0.05 and 20 px/s. What is faster than 10 px/s is over-relaxed: a slow pile settles in
+ * fewer visits without it. As many contacts as iterations or fewer converge anyway, and are not over-relaxed
+ * either.
  *
  * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
  * one hands an impulse on in tiny parts only.
@@ -1579,11 +1579,8 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     if (inverse > 0) heaviest = Math.min(heaviest, inverse)
     speed = Math.max(speed, speedOf(bodies, awake[n]))
   }
-  regime.resting = speed <= RESTING_SPEED
-  regime.tolerance = regime.resting
-    ? RESTING_TOLERANCE
-    : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
-  regime.relaxation = regime.resting || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
+  regime.tolerance = Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
+  regime.relaxation = speed <= SLOW_CONTACT || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
   regime.massRatio = lightest / heaviest
 }
 
@@ -1668,7 +1665,8 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
 
 /**
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
- * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ * Returns how many bodies are not in balance: they move, or would gain speed within a step by what warm start
+ * and gravity give.
  */
 function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
@@ -1693,7 +1691,7 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speed, (gain * STEP) / h) > RESTING_SPEED) active++
     capSpeed(state, s, MAX_SPEED)
   }
   return active
@@ -2738,20 +2736,20 @@ function step(simulation: Simulation): void {
 
 /** One sub-step; returns whether all is in balance, so that the others of the step would only repeat it. */
 function substep(simulation: Simulation): boolean {
-  const { joints, regime, work } = simulation
+  const { joints, work } = simulation
   trackTravel(simulation)
   updateContacts(simulation)
   solveImpacts(simulation)
   prepareContacts(simulation)
   for (const joint of joints) prepareJoint(simulation, joint)
   integrateVelocities(simulation)
-  const converged = solveContacts(simulation)
+  solveContacts(simulation)
   work[SUBSTEPS_TAKEN]++
-  return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
+  return integratePositions(simulation) === 0 && joints.length === 0
 }
 
-/** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
-function solveContacts(simulation: Simulation): boolean {
+/** Iterates until no contact changes a velocity by more than the tolerance, or as often as it may. */
+function solveContacts(simulation: Simulation): void {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount
   const most = Math.max(ITERATIONS, Math.min(regime.massRatio, UNEVEN_VISITS / count))
@@ -2762,9 +2760,8 @@ function solveContacts(simulation: Simulation): boolean {
       bodies.changed[joint.body] = turn
     }
     work[ITERATIONS_TAKEN]++
-    if (iterate(simulation, regime, count, turn) === turn) return true
+    if (iterate(simulation, regime, count, turn) === turn) return
   }
-  return false
 }
 
 /** Keeps where everything was, for drawing between steps. */
