@@ -28,10 +28,7 @@ export const SUBSTEPS = 6
 
 // Regimes (D-021) -------------------------------------------------------------------------------------------
 
-/**
- * px/s. Where nothing is faster, or gains as much in a step, all is in balance: one sub-step tells what the
- * others would.
- */
+/** px/s. A world in which nothing is faster is resting: one sub-step tells what the others would. */
 export const RESTING_SPEED = 0.4
 
 /**
@@ -46,18 +43,17 @@ export const ITERATIONS = 16
  * frame.
  */
 export const UNEVEN_VISITS = 6000
-/**
- * SOR factor of what is faster than `SLOW_CONTACT`: an impulse is taken this much further than its contact
- * asks. With 1 pours overlap deeper.
- */
+/** SOR factor: an impulse is taken this much further than its contact asks. With 1 pours overlap deeper. */
 export const RELAXATION = 1.3
 
 /** Share of the fastest speed that an impulse may still change a velocity by when the iterations end. */
 export const TOLERANCE = 0.03
-/** px/s. Least tolerance. More lets large piles creep for longer. */
+/** px/s. Least tolerance while something moves. More lets piles creep for ever. */
 export const LEAST_TOLERANCE = 0.05
 /** px/s. Most tolerance. More leaves pours deeper in one another. */
 export const MOST_TOLERANCE = 20
+/** px/s. Tolerance of a resting world; a body in balance gains at most four times as much in a sub-step. */
+export const RESTING_TOLERANCE = 0.003
 
 // Contacts and impacts (D-022, D-023, D-024, D-025) ---------------------------------------------------------
 
@@ -155,7 +151,7 @@ export const ROOM_VISITS = 200_000
  * px by which a box of the broad phase is larger than its chip. More finds more pairs, less makes boxes more
  * often.
  */
-export const AABB_MARGIN = 4
+export const AABB_MARGIN = 8
 
 // Rest and waking (D-028) -----------------------------------------------------------------------------------
 

@@ -5,11 +5,11 @@ import {
   LOOKAHEAD,
   MAX_SPEED,
   RESTING_SPEED,
+  RESTING_TOLERANCE,
   ROCKING_SHARE,
   ROLLING_RESISTANCE,
   ROLLING_SHARE,
   SLOW_CONTACT,
-  STEP,
   WRONG_WARM_START,
 } from './constants'
 import {
@@ -125,8 +125,7 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
 
 /**
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
- * Returns how many bodies are not in balance: they move, or would gain speed within a step by what warm start
- * and gravity give.
+ * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
  */
 export function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
@@ -151,7 +150,7 @@ export function integratePositions({ bodies, gravity, h, pull }: Simulation): nu
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speed, (gain * STEP) / h) > RESTING_SPEED) active++
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
     capSpeed(state, s, MAX_SPEED)
   }
   return active

@@ -1,12 +1,21 @@
 import { speedOf } from './body'
-import { ITERATIONS, LEAST_TOLERANCE, MOST_TOLERANCE, RELAXATION, SLOW_CONTACT, TOLERANCE } from './constants'
+import {
+  ITERATIONS,
+  LEAST_TOLERANCE,
+  MOST_TOLERANCE,
+  RELAXATION,
+  RESTING_SPEED,
+  RESTING_TOLERANCE,
+  TOLERANCE,
+} from './constants'
 import { INV_MASS, type Simulation, STATE } from './state'
 
 /**
- * Chooses how exactly a step is solved, by the fastest point of all that is awake. The tolerance is 3 % of
- * its speed, within 0.05 and 20 px/s. What is faster than 10 px/s is over-relaxed: a slow pile settles in
- * fewer visits without it. As many contacts as iterations or fewer converge anyway, and are not over-relaxed
- * either.
+ * Chooses how exactly a step is solved, by the fastest point of all that is awake:
+ *
+ * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
+ * | resting | ≤ 0.4       | 0.003                      | 1                         |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
  *
  * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
  * one hands an impulse on in tiny parts only.
@@ -22,7 +31,10 @@ export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     if (inverse > 0) heaviest = Math.min(heaviest, inverse)
     speed = Math.max(speed, speedOf(bodies, awake[n]))
   }
-  regime.tolerance = Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
-  regime.relaxation = speed <= SLOW_CONTACT || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
+  regime.resting = speed <= RESTING_SPEED
+  regime.tolerance = regime.resting
+    ? RESTING_TOLERANCE
+    : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
+  regime.relaxation = regime.resting || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
   regime.massRatio = lightest / heaviest
 }

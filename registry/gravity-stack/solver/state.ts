@@ -248,8 +248,11 @@ export class Regime {
   tolerance = 0.5
   /** SOR factor. */
   relaxation = 0.5
+
   /** Ratio of the heaviest mass to the lightest. */
   massRatio = 0.5
+  /** Whether nothing is fast. */
+  resting = false
 }
 
 /**

@@ -54,20 +54,20 @@ export function step(simulation: Simulation): void {
 
 /** One sub-step; returns whether all is in balance, so that the others of the step would only repeat it. */
 function substep(simulation: Simulation): boolean {
-  const { joints, work } = simulation
+  const { joints, regime, work } = simulation
   trackTravel(simulation)
   updateContacts(simulation)
   solveImpacts(simulation)
   prepareContacts(simulation)
   for (const joint of joints) prepareJoint(simulation, joint)
   integrateVelocities(simulation)
-  solveContacts(simulation)
+  const converged = solveContacts(simulation)
   work[SUBSTEPS_TAKEN]++
-  return integratePositions(simulation) === 0 && joints.length === 0
+  return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
 }
 
-/** Iterates until no contact changes a velocity by more than the tolerance, or as often as it may. */
-function solveContacts(simulation: Simulation): void {
+/** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
+function solveContacts(simulation: Simulation): boolean {
   const { bodies, contacts, joints, regime, work } = simulation
   const count = contacts.liveCount
   const most = Math.max(ITERATIONS, Math.min(regime.massRatio, UNEVEN_VISITS / count))
@@ -78,8 +78,9 @@ function solveContacts(simulation: Simulation): void {
       bodies.changed[joint.body] = turn
     }
     work[ITERATIONS_TAKEN]++
-    if (iterate(simulation, regime, count, turn) === turn) return
+    if (iterate(simulation, regime, count, turn) === turn) return true
   }
+  return false
 }
 
 /** Keeps where everything was, for drawing between steps. */
