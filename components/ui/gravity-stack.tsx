@@ -133,8 +133,8 @@ const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. An overlap of twice this keeps a
- * group awake, one of four times this wedges chips side by side (D-027).
+ * px of overlap from which slow contacts are corrected again within a step. Chips side by side are wedged if it
+ * lasts (D-027). A gap as small counts as touching, twice the overlap keeps a group awake (D-028).
  */
 const DEEP_OVERLAP = 0.02
 /**
@@ -316,6 +316,8 @@ class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 if the body was lifted out of a wedge, or by one below it that was. */
+  lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
@@ -390,7 +392,9 @@ const TANGENT_MASS = 26
 const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 const TANGENT_BIAS = 28
-const CONTACT = 29
+/** Steps in a row that have left a point deep in an overlap. */
+const DEEP_STEPS = 29
+const CONTACT = 30
 
 /**
  * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two
@@ -518,8 +522,6 @@ class Simulation {
   freeSlots: number[] = []
   /** How often the world was changed from outside, other than by a new chip. */
   revision = 0
-  /** Steps in a row that have left something slow deep in another. */
-  deepSteps = 0
   work: Float64Array = new Float64Array(5)
 }
 
@@ -1254,6 +1256,16 @@ function separationAndRate({ bodies, contacts }: Simulation, c: number, p: numbe
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
+/** px, the smallest separation of the points of contact `c`. */
+function gapOf(simulation: Simulation, c: number): number {
+  let gap = Infinity
+  for (let p = c * CONTACT, m = simulation.contacts.points[c]; m > 0; m--, p += SECOND) {
+    separationAndRate(simulation, c, p)
+    gap = Math.min(gap, manifold[GAP_NOW])
+  }
+  return gap
+}
+
 /**
  * px/s, what gravity and the contacts that already push add over the sub-step to the relative velocity of the
  * bodies of contact `c`: along the normal, or `across` it, at the point whose arms are at place `arms`.
@@ -1434,7 +1446,7 @@ function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
  */
 function updateSleep(simulation: Simulation): void {
   const { bodies, contacts, pull } = simulation
-  const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
+  const { state, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -1448,14 +1460,16 @@ function updateSleep(simulation: Simulation): void {
     // The place of rest follows the body slowly: else invisible creep would keep a large pile awake.
     for (let axis = 0; axis < 3; axis++)
       rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
-    rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
+    // What is balanced on one point has to keep its place for twice as long: it may be about to topple.
+    rest[r + 3] = moves ? 0 : rest[r + 3] + (STEP * (1 + supported[i])) / 2
     parent[i] = i
     // A body that no contact pushes counts as at rest only where there is no gravity.
     groupRest[i] = pull === 0 ? rest[r + 3] : -1
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
-    if (normalImpulse(contacts, c) === 0) continue
+    // A smaller gap opens and closes while a pile settles: what leans on something there rests with it.
+    if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
     if (groupRest[a] < 0) groupRest[a] = rest[a * 4 + 3]
@@ -1563,10 +1577,11 @@ function gatherContacts(simulation: Simulation): void {
  *
  * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer, or uneven |
  *
- * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
- * one hands an impulse on in tiny parts only.
+ * Masses are uneven if the heaviest is more than 16 times the lightest. A sub-step then has as many iterations
+ * as their ratio says, as a light chip under a heavy one hands an impulse on in tiny parts only. Over-relaxed,
+ * so many iterations may diverge.
  */
 function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -1583,8 +1598,9 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   regime.tolerance = regime.resting
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
-  regime.relaxation = regime.resting || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
   regime.massRatio = lightest / heaviest
+  const few = contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = regime.resting || few ? 1 : RELAXATION
 }
 
 // solver/integrate: velocities and positions through a sub-step ─────────────────────────────────────────────
@@ -1856,27 +1872,44 @@ function updateEntry({ bodies, ceiling, contacts, gravity, height }: Simulation,
 // solver/position-correction: overlap taken out of poses ────────────────────────────────────────────────────
 
 /**
+ * The body of contact `c` that a correction leaves in place, or -1: the lower one, if it was lifted. So what
+ * lies on it goes up with it and does not press it back.
+ */
+function fixedBody({ bodies, contacts }: Simulation, c: number): number {
+  const { immovable, lifted, state } = bodies
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const lower = state[a * STATE + Y] > state[b * STATE + Y] ? a : b
+  const upper = a + b - lower
+  return lifted[lower] > lifted[upper] && immovable[upper] === 0 && !isStatic(bodies, upper) ? lower : -1
+}
+
+/**
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
  * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep
  * one moves has changed in this `turn`.
  */
-function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
+function correctPoint(simulation: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
+  const { bodies, contacts } = simulation
   const { state: s, changed, immovable } = bodies
   const d = contacts.data
   const k = c * CONTACT
+  const fixed = fixedBody(simulation, c)
   let inverseMass = 0
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
+    if (i === fixed) continue
     const arm = d[p + ARM_NA + side]
     inverseMass += (1 - immovable[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
   }
   const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / inverseMass
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
-    if (immovable[i] > 0) continue
+    if (immovable[i] > 0 || i === fixed) continue
     if (gap < -DEEP_OVERLAP) changed[i] = turn
+    if (fixed >= 0) bodies.lifted[i] = 1
     const by = side > 0 ? push : -push
     s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
     s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
@@ -1934,9 +1967,8 @@ function correctOverlaps(simulation: Simulation): void {
     for (let n = 1; n <= CORRECTIONS && deep; n++) deep = correctPositions(simulation, n)
     immovable.fill(0)
   }
-  // An overlap that stays deep for many steps is a wedge.
-  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > REST_TIME / STEP) liftWedged(simulation)
+  if (deep) liftWedged(simulation)
+  else bodies.lifted.fill(0)
 }
 
 /** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
@@ -1946,31 +1978,31 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
 }
 
 /**
- * Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. Chips
- * side by side are wedged far sooner than chips on top of one another, which the weight above presses.
+ * Of the deepest overlap that lasts, lifts the higher chip, or the chip in an obstacle: only above is there
+ * room. Of chips on top of one another it takes more, as the weight above presses them.
  */
 function liftWedged(simulation: Simulation): void {
-  const { bodies } = simulation
-  const { density, state } = bodies
-  const { data, live, liveCount, pair, points } = simulation.contacts
+  const { bodies, contacts, roomSteps } = simulation
+  const { density, lifted, state } = bodies
+  const { data, live, liveCount, pair } = contacts
   let deepest = 0
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
+    const k = c * CONTACT
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
-    if (!mustSeparate(simulation, c)) continue
-    const level = Math.abs(data[c * CONTACT + NORMAL_X]) > Math.abs(data[c * CONTACT + NORMAL_Y])
-    const wedged = level ? -4 * DEEP_OVERLAP : -REST_DISTANCE
-    for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
-      separationAndRate(simulation, c, p)
-      if (manifold[GAP_NOW] >= Math.min(deepest, wedged)) continue
-      deepest = manifold[GAP_NOW]
-      higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
-      lower = a + b - higher
-    }
+    const gap = gapOf(simulation, c)
+    data[k + DEEP_STEPS] = gap < -DEEP_OVERLAP && mustSeparate(simulation, c) ? data[k + DEEP_STEPS] + 1 : 0
+    if (a < FIRST_CHIP || (roomSteps === 0 && data[k + DEEP_STEPS] <= REST_TIME / STEP)) continue
+    const isLevel = Math.abs(data[k + NORMAL_X]) > Math.abs(data[k + NORMAL_Y])
+    if (gap >= Math.min(deepest, isLevel ? -DEEP_OVERLAP : -REST_DISTANCE)) continue
+    deepest = gap
+    higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+    lower = a + b - higher
   }
+  lifted.fill(0)
   if (higher < 0) return
   let lift = REST_DISTANCE
   if (density[lower] === Infinity) {
@@ -1981,6 +2013,7 @@ function liftWedged(simulation: Simulation): void {
       lift += extents[Y]
     }
   }
+  lifted[higher] = 1
   state[higher * STATE + Y] -= lift
 }
 

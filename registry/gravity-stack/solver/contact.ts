@@ -315,6 +315,16 @@ export function separationAndRate({ bodies, contacts }: Simulation, c: number, p
     nx * (s[b + VX] - s[a + VX]) + ny * (s[b + VY] - s[a + VY]) + nb * s[b + SPIN] - na * s[a + SPIN]
 }
 
+/** px, the smallest separation of the points of contact `c`. */
+export function gapOf(simulation: Simulation, c: number): number {
+  let gap = Infinity
+  for (let p = c * CONTACT, m = simulation.contacts.points[c]; m > 0; m--, p += SECOND) {
+    separationAndRate(simulation, c, p)
+    gap = Math.min(gap, manifold[GAP_NOW])
+  }
+  return gap
+}
+
 /**
  * px/s, what gravity and the contacts that already push add over the sub-step to the relative velocity of the
  * bodies of contact `c`: along the normal, or `across` it, at the point whose arms are at place `arms`.

@@ -1,4 +1,4 @@
-import { extents, halfExtents, speedOf } from './body'
+import { extents, halfExtents, isStatic, speedOf } from './body'
 import {
   CORRECTION,
   CORRECTIONS,
@@ -11,13 +11,14 @@ import {
   STEP,
   WALL_OVERLAP,
 } from './constants'
-import { separationAndRate } from './contact'
+import { gapOf, separationAndRate } from './contact'
 import { updateEntry } from './entry'
 import { GAP_NOW, manifold, RATE_NOW } from './manifold'
 import {
   ANGLE,
   ARM_NA,
   CONTACT,
+  DEEP_STEPS,
   FIRST_CHIP,
   INV_INERTIA,
   INV_MASS,
@@ -31,27 +32,44 @@ import {
 } from './state'
 
 /**
+ * The body of contact `c` that a correction leaves in place, or -1: the lower one, if it was lifted. So what
+ * lies on it goes up with it and does not press it back.
+ */
+function fixedBody({ bodies, contacts }: Simulation, c: number): number {
+  const { immovable, lifted, state } = bodies
+  const a = contacts.pair[2 * c]
+  const b = contacts.pair[2 * c + 1]
+  const lower = state[a * STATE + Y] > state[b * STATE + Y] ? a : b
+  const upper = a + b - lower
+  return lifted[lower] > lifted[upper] && immovable[upper] === 0 && !isStatic(bodies, upper) ? lower : -1
+}
+
+/**
  * Position correction pushes overlapping poses apart and never touches a velocity, so that it adds no energy.
  * This is one for the point at place `p` of contact `c`; returns whether its overlap was deep. What a deep
  * one moves has changed in this `turn`.
  */
-function correctPoint({ bodies, contacts }: Simulation, c: number, p: number, turn: number): boolean {
+function correctPoint(simulation: Simulation, c: number, p: number, turn: number): boolean {
   const gap = manifold[GAP_NOW] + LINEAR_SLOP
   if (gap > 0) return false
+  const { bodies, contacts } = simulation
   const { state: s, changed, immovable } = bodies
   const d = contacts.data
   const k = c * CONTACT
+  const fixed = fixedBody(simulation, c)
   let inverseMass = 0
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
+    if (i === fixed) continue
     const arm = d[p + ARM_NA + side]
     inverseMass += (1 - immovable[i]) * (s[i * STATE + INV_MASS] + s[i * STATE + INV_INERTIA] * arm * arm)
   }
   const push = Math.min(-CORRECTION * gap, MAX_CORRECTION) / inverseMass
   for (let side = 0; side < 2; side++) {
     const i = contacts.pair[2 * c + side]
-    if (immovable[i] > 0) continue
+    if (immovable[i] > 0 || i === fixed) continue
     if (gap < -DEEP_OVERLAP) changed[i] = turn
+    if (fixed >= 0) bodies.lifted[i] = 1
     const by = side > 0 ? push : -push
     s[i * STATE + X] += d[k + NORMAL_X] * s[i * STATE + INV_MASS] * by
     s[i * STATE + Y] += d[k + NORMAL_Y] * s[i * STATE + INV_MASS] * by
@@ -109,9 +127,8 @@ export function correctOverlaps(simulation: Simulation): void {
     for (let n = 1; n <= CORRECTIONS && deep; n++) deep = correctPositions(simulation, n)
     immovable.fill(0)
   }
-  // An overlap that stays deep for many steps is a wedge.
-  simulation.deepSteps = deep ? simulation.deepSteps + 1 : 0
-  if (simulation.deepSteps > REST_TIME / STEP) liftWedged(simulation)
+  if (deep) liftWedged(simulation)
+  else bodies.lifted.fill(0)
 }
 
 /** Whether a deep overlap of contact `c` must go: its bodies are slow, or room is being made. */
@@ -121,31 +138,31 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
 }
 
 /**
- * Of the deepest contact, lifts the higher chip, or the chip in an obstacle: only above is there room. Chips
- * side by side are wedged far sooner than chips on top of one another, which the weight above presses.
+ * Of the deepest overlap that lasts, lifts the higher chip, or the chip in an obstacle: only above is there
+ * room. Of chips on top of one another it takes more, as the weight above presses them.
  */
 export function liftWedged(simulation: Simulation): void {
-  const { bodies } = simulation
-  const { density, state } = bodies
-  const { data, live, liveCount, pair, points } = simulation.contacts
+  const { bodies, contacts, roomSteps } = simulation
+  const { density, lifted, state } = bodies
+  const { data, live, liveCount, pair } = contacts
   let deepest = 0
   let higher = -1
   let lower = -1
   for (let n = 0; n < liveCount; n++) {
     const c = live[n]
+    const k = c * CONTACT
     const a = pair[2 * c]
     const b = pair[2 * c + 1]
-    if (!mustSeparate(simulation, c)) continue
-    const level = Math.abs(data[c * CONTACT + NORMAL_X]) > Math.abs(data[c * CONTACT + NORMAL_Y])
-    const wedged = level ? -4 * DEEP_OVERLAP : -REST_DISTANCE
-    for (let p = c * CONTACT, m = a < FIRST_CHIP ? 0 : points[c]; m > 0; m--, p += SECOND) {
-      separationAndRate(simulation, c, p)
-      if (manifold[GAP_NOW] >= Math.min(deepest, wedged)) continue
-      deepest = manifold[GAP_NOW]
-      higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
-      lower = a + b - higher
-    }
+    const gap = gapOf(simulation, c)
+    data[k + DEEP_STEPS] = gap < -DEEP_OVERLAP && mustSeparate(simulation, c) ? data[k + DEEP_STEPS] + 1 : 0
+    if (a < FIRST_CHIP || (roomSteps === 0 && data[k + DEEP_STEPS] <= REST_TIME / STEP)) continue
+    const isLevel = Math.abs(data[k + NORMAL_X]) > Math.abs(data[k + NORMAL_Y])
+    if (gap >= Math.min(deepest, isLevel ? -DEEP_OVERLAP : -REST_DISTANCE)) continue
+    deepest = gap
+    higher = density[a] < Infinity && state[a * STATE + Y] < state[b * STATE + Y] ? a : b
+    lower = a + b - higher
   }
+  lifted.fill(0)
   if (higher < 0) return
   let lift = REST_DISTANCE
   if (density[lower] === Infinity) {
@@ -156,6 +173,7 @@ export function liftWedged(simulation: Simulation): void {
       lift += extents[Y]
     }
   }
+  lifted[higher] = 1
   state[higher * STATE + Y] -= lift
 }
 

@@ -15,10 +15,11 @@ import { INV_MASS, type Simulation, STATE } from './state'
  *
  * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
  * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer, or uneven |
  *
- * Where masses differ a sub-step has as many iterations as their ratio says, as a light chip under a heavy
- * one hands an impulse on in tiny parts only.
+ * Masses are uneven if the heaviest is more than 16 times the lightest. A sub-step then has as many iterations
+ * as their ratio says, as a light chip under a heavy one hands an impulse on in tiny parts only. Over-relaxed,
+ * so many iterations may diverge.
  */
 export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -35,6 +36,7 @@ export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   regime.tolerance = regime.resting
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
-  regime.relaxation = regime.resting || contacts.nearCount <= ITERATIONS ? 1 : RELAXATION
   regime.massRatio = lightest / heaviest
+  const few = contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = regime.resting || few ? 1 : RELAXATION
 }

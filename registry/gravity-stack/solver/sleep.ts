@@ -9,7 +9,7 @@ import {
   SPECULATIVE_DISTANCE,
   STEP,
 } from './constants'
-import { normalImpulse, separationAndRate, separationBound, updateContact } from './contact'
+import { gapOf, normalImpulse, separationAndRate, separationBound, updateContact } from './contact'
 import { findGroup, joinGroups } from './islands'
 import { GAP_NOW, LEAD, manifold, RATE_NOW, WIDEST } from './manifold'
 import {
@@ -35,7 +35,7 @@ import {
  */
 export function updateSleep(simulation: Simulation): void {
   const { bodies, contacts, pull } = simulation
-  const { state, shape, awake, asleep, parent, groupRest, rest } = bodies
+  const { state, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -49,14 +49,16 @@ export function updateSleep(simulation: Simulation): void {
     // The place of rest follows the body slowly: else invisible creep would keep a large pile awake.
     for (let axis = 0; axis < 3; axis++)
       rest[r + axis] += (moves ? 1 : REST_FOLLOW) * (state[s + axis] - rest[r + axis])
-    rest[r + 3] = moves ? 0 : rest[r + 3] + STEP
+    // What is balanced on one point has to keep its place for twice as long: it may be about to topple.
+    rest[r + 3] = moves ? 0 : rest[r + 3] + (STEP * (1 + supported[i])) / 2
     parent[i] = i
     // A body that no contact pushes counts as at rest only where there is no gravity.
     groupRest[i] = pull === 0 ? rest[r + 3] : -1
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
-    if (normalImpulse(contacts, c) === 0) continue
+    // A smaller gap opens and closes while a pile settles: what leans on something there rests with it.
+    if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
     if (groupRest[a] < 0) groupRest[a] = rest[a * 4 + 3]

@@ -96,6 +96,8 @@ export class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 if the body was lifted out of a wedge, or by one below it that was. */
+  lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
@@ -170,7 +172,9 @@ export const TANGENT_MASS = 26
 export const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 export const TANGENT_BIAS = 28
-export const CONTACT = 29
+/** Steps in a row that have left a point deep in an overlap. */
+export const DEEP_STEPS = 29
+export const CONTACT = 30
 
 /**
  * Contacts: pairs of bodies that may touch. A contact keeps its slot and its impulses for as long as the two
@@ -298,7 +302,5 @@ export class Simulation {
   freeSlots: number[] = []
   /** How often the world was changed from outside, other than by a new chip. */
   revision = 0
-  /** Steps in a row that have left something slow deep in another. */
-  deepSteps = 0
   work: Float64Array = new Float64Array(5)
 }
