@@ -133,8 +133,8 @@ const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Chips side by side are wedged if it
- * lasts (D-027). A gap as small counts as touching, twice the overlap keeps a group awake (D-028).
+ * px of overlap from which slow contacts are corrected again within a step. Chips side by side are wedged if
+ * it lasts (D-027). A gap as small counts as touching, twice the overlap keeps a group awake (D-028).
  */
 const DEEP_OVERLAP = 0.02
 /**
@@ -392,7 +392,7 @@ const TANGENT_MASS = 26
 const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 const TANGENT_BIAS = 28
-/** Steps in a row that have left a point deep in an overlap. */
+/** Of the steps that left any contact deep in an overlap, how many in a row left this one so. */
 const DEEP_STEPS = 29
 const CONTACT = 30
 
@@ -1468,7 +1468,7 @@ function updateSleep(simulation: Simulation): void {
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
-    // A smaller gap opens and closes while a pile settles: what leans on something there rests with it.
+    // A smaller gap opens and closes while a pile settles: what leans there rests with what it leans on.
     if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
@@ -1575,13 +1575,13 @@ function gatherContacts(simulation: Simulation): void {
 /**
  * Chooses how exactly a step is solved, by the fastest point of all that is awake:
  *
- * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
- * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer, or uneven |
+ * | regime  | speed, px/s | tolerance, px/s                      | SOR factor |
+ * | resting | ≤ 0.4       | 0.003                                | 1          |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3, or 1  |
  *
- * Masses are uneven if the heaviest is more than 16 times the lightest. A sub-step then has as many iterations
- * as their ratio says, as a light chip under a heavy one hands an impulse on in tiny parts only. Over-relaxed,
- * so many iterations may diverge.
+ * A moving world has the factor 1 if it has at most 16 contacts, or if its heaviest mass is more than 16 times
+ * its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a heavy one
+ * hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
  */
 function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -1599,8 +1599,8 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
   regime.massRatio = lightest / heaviest
-  const few = contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
-  regime.relaxation = regime.resting || few ? 1 : RELAXATION
+  const plain = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = plain ? 1 : RELAXATION
 }
 
 // solver/integrate: velocities and positions through a sub-step ─────────────────────────────────────────────

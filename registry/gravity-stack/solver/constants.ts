@@ -120,8 +120,8 @@ export const CORRECTION = 0.7
 /** px. Most that one correction moves a contact. Less lets deep overlaps last, more makes chips jump. */
 export const MAX_CORRECTION = 4
 /**
- * px of overlap from which slow contacts are corrected again within a step. Chips side by side are wedged if it
- * lasts (D-027). A gap as small counts as touching, twice the overlap keeps a group awake (D-028).
+ * px of overlap from which slow contacts are corrected again within a step. Chips side by side are wedged if
+ * it lasts (D-027). A gap as small counts as touching, twice the overlap keeps a group awake (D-028).
  */
 export const DEEP_OVERLAP = 0.02
 /**

@@ -13,13 +13,13 @@ import { INV_MASS, type Simulation, STATE } from './state'
 /**
  * Chooses how exactly a step is solved, by the fastest point of all that is awake:
  *
- * | regime  | speed, px/s | tolerance, px/s            | SOR factor                |
- * | resting | ≤ 0.4       | 0.003                      | 1                         |
- * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3; 1 for 16 contacts or fewer, or uneven |
+ * | regime  | speed, px/s | tolerance, px/s                      | SOR factor |
+ * | resting | ≤ 0.4       | 0.003                                | 1          |
+ * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3, or 1  |
  *
- * Masses are uneven if the heaviest is more than 16 times the lightest. A sub-step then has as many iterations
- * as their ratio says, as a light chip under a heavy one hands an impulse on in tiny parts only. Over-relaxed,
- * so many iterations may diverge.
+ * A moving world has the factor 1 if it has at most 16 contacts, or if its heaviest mass is more than 16 times
+ * its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a heavy one
+ * hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
  */
 export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -37,6 +37,6 @@ export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
   regime.massRatio = lightest / heaviest
-  const few = contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
-  regime.relaxation = regime.resting || few ? 1 : RELAXATION
+  const plain = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = plain ? 1 : RELAXATION
 }

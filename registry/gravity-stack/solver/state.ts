@@ -172,7 +172,7 @@ export const TANGENT_MASS = 26
 export const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 export const TANGENT_BIAS = 28
-/** Steps in a row that have left a point deep in an overlap. */
+/** Of the steps that left any contact deep in an overlap, how many in a row left this one so. */
 export const DEEP_STEPS = 29
 export const CONTACT = 30
 
