@@ -18,8 +18,8 @@ import { INV_MASS, type Simulation, STATE } from './state'
  * | moving  | more        | 3 % of it, 0.05 at least, 20 at most | 1.3, or 1  |
  *
  * A moving world has the factor 1 if it has at most 16 contacts, or if its heaviest mass is more than 16
- * times its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a heavy
- * one hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
+ * times its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a
+ * heavy one hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
  */
 export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
