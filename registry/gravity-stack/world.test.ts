@@ -5,6 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest'
 import { median, simulateScene } from '../../bench/accuracy/trajectory'
 import { ours } from '../../bench/engines/ours'
 import { exactScenes } from '../../scenes/exact'
+import { hardScenes } from '../../scenes/hard'
 import { type Kind, pourChips, pourStage } from '../../scenes/piles'
 import { type Chip, conditions, frame } from '../../scenes/scene'
 import { seeded } from '../../scenes/seeded'
@@ -167,6 +168,16 @@ describe('a pile that has less room', () => {
       return most
     })
     expect(median(peaks)).toBeLessThan(0.5)
+  })
+
+  it('comes apart and sleeps within ten seconds where level rows are too long for their walls', () => {
+    const crammed = hardScenes.find(({ name }) => name === 'crammed')!
+    for (const seed of [300, 442]) {
+      const chips = crammed.build(seed)
+      const { world, ids } = worldOf(chips, crammed)
+      expect(settle(world, 600), `seed ${seed}`).toBeLessThan(600)
+      expect(overlap(world, ids, chips, crammed), `seed ${seed}`).toBeLessThan(0.05)
+    }
   })
 
   it('is in order again five steps after the stage is turned from wide to tall, or half as wide', () => {

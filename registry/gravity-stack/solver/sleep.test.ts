@@ -4,6 +4,7 @@ import { hardScenes } from '../../../scenes/hard'
 import { pourChips, pourStage } from '../../../scenes/piles'
 import { type Chip, frame } from '../../../scenes/scene'
 import { seeded } from '../../../scenes/seeded'
+import { standing } from '../../../scenes/standing'
 import { overlap, readAll, run, settle, stage, worldOf } from '../testing/worlds'
 
 const box = { width: 60, height: 40, angle: 0 }
@@ -97,6 +98,19 @@ describe('a pile falls asleep', () => {
       const { world, ids } = worldOf([{ ...shape, x: 320, y, angle }])
       settle(world)
       expect(Math.abs(Math.sin(world.read(ids[0]).angle)), `radius ${radius}`).toBeLessThan(0.01)
+    }
+  })
+
+  it('nor a badge about to topple in a pile, nor a word that leans on another one there', () => {
+    for (const [kind, count, seed] of [
+      ['badges', 60, 47],
+      ['words', 300, 8],
+    ] as const) {
+      const chips = pourChips(kind, count, seed)
+      const { world, ids } = worldOf(chips, pourStage(count))
+      settle(world)
+      expect(world.resting, kind).toBe(true)
+      expect(standing(chips, readAll(world, ids), pourStage(count)), kind).toBe(0)
     }
   })
 
