@@ -305,7 +305,7 @@ class Bodies {
   shape: Float64Array = new Float64Array(FIRST_CHIP * SHAPE)
   /** Pose at the start of the step (x, y, angle), for drawing between steps. */
   before: Float64Array = new Float64Array(FIRST_CHIP * 3)
-  /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
+  /** Pose that rest is measured against (x, y, angle), and s that it has held, half of them if balanced. */
   rest: Float64Array = new Float64Array(FIRST_CHIP * 4)
   /** Mass per px². */
   density: Float64Array = new Float64Array(FIRST_CHIP)
@@ -316,7 +316,7 @@ class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body was lifted out of a wedge, or by one below it that was. */
+  /** 1 if the body was lifted out of a wedge, or pushed up by one below it that was. */
   lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
@@ -392,7 +392,7 @@ const TANGENT_MASS = 26
 const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 const TANGENT_BIAS = 28
-/** Of the steps that left any contact deep in an overlap, how many in a row left this one so. */
+/** Steps in a row that left this contact in a deep overlap. One that left none so is not counted. */
 const DEEP_STEPS = 29
 const CONTACT = 30
 
@@ -1468,7 +1468,7 @@ function updateSleep(simulation: Simulation): void {
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
-    // A smaller gap opens and closes while a pile settles: what leans there rests with what it leans on.
+    // Contacts with a smaller gap open and close while a pile settles. Such bodies fall asleep together.
     if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
@@ -1581,7 +1581,7 @@ function gatherContacts(simulation: Simulation): void {
  *
  * A moving world has the factor 1 if it has at most 16 contacts, or if its heaviest mass is more than 16
  * times its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a
- * heavy one hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
+ * heavy one hands an impulse on in tiny parts only. So many over-relaxed iterations may diverge.
  */
 function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -1599,8 +1599,8 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
   regime.massRatio = lightest / heaviest
-  const plain = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
-  regime.relaxation = plain ? 1 : RELAXATION
+  const unrelaxed = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = unrelaxed ? 1 : RELAXATION
 }
 
 // solver/integrate: velocities and positions through a sub-step ─────────────────────────────────────────────
@@ -1979,7 +1979,7 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
 
 /**
  * Of the deepest overlap that lasts, lifts the higher chip, or the chip in an obstacle: only above is there
- * room. Of chips on top of one another it takes more, as the weight above presses them.
+ * room. Chips on top of one another overlap by more before one is lifted, as the weight above presses them.
  */
 function liftWedged(simulation: Simulation): void {
   const { bodies, contacts, roomSteps } = simulation

@@ -139,7 +139,7 @@ function mustSeparate({ bodies, contacts, roomSteps }: Simulation, c: number): b
 
 /**
  * Of the deepest overlap that lasts, lifts the higher chip, or the chip in an obstacle: only above is there
- * room. Of chips on top of one another it takes more, as the weight above presses them.
+ * room. Chips on top of one another overlap by more before one is lifted, as the weight above presses them.
  */
 export function liftWedged(simulation: Simulation): void {
   const { bodies, contacts, roomSteps } = simulation

@@ -19,7 +19,7 @@ import { INV_MASS, type Simulation, STATE } from './state'
  *
  * A moving world has the factor 1 if it has at most 16 contacts, or if its heaviest mass is more than 16
  * times its lightest. Then a sub-step has as many iterations as their ratio says, as a light chip under a
- * heavy one hands an impulse on in tiny parts only. Over-relaxed, so many may diverge.
+ * heavy one hands an impulse on in tiny parts only. So many over-relaxed iterations may diverge.
  */
 export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
   const { state, awake, awakeCount } = bodies
@@ -37,6 +37,6 @@ export function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
   regime.massRatio = lightest / heaviest
-  const plain = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
-  regime.relaxation = plain ? 1 : RELAXATION
+  const unrelaxed = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
+  regime.relaxation = unrelaxed ? 1 : RELAXATION
 }

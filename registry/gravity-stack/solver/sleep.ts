@@ -57,7 +57,7 @@ export function updateSleep(simulation: Simulation): void {
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
-    // A smaller gap opens and closes while a pile settles: what leans there rests with what it leans on.
+    // Contacts with a smaller gap open and close while a pile settles. Such bodies fall asleep together.
     if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]

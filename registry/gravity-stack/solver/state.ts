@@ -85,7 +85,7 @@ export class Bodies {
   shape: Float64Array = new Float64Array(FIRST_CHIP * SHAPE)
   /** Pose at the start of the step (x, y, angle), for drawing between steps. */
   before: Float64Array = new Float64Array(FIRST_CHIP * 3)
-  /** Pose that rest is measured against (x, y, angle), and how long it has held, s. */
+  /** Pose that rest is measured against (x, y, angle), and s that it has held, half of them if balanced. */
   rest: Float64Array = new Float64Array(FIRST_CHIP * 4)
   /** Mass per px². */
   density: Float64Array = new Float64Array(FIRST_CHIP)
@@ -96,7 +96,7 @@ export class Bodies {
   moved: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while position correction may not move the body. */
   immovable: Uint8Array = new Uint8Array(FIRST_CHIP)
-  /** 1 if the body was lifted out of a wedge, or by one below it that was. */
+  /** 1 if the body was lifted out of a wedge, or pushed up by one below it that was. */
   lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
   undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
@@ -172,7 +172,7 @@ export const TANGENT_MASS = 26
 export const ARM_LAG = 27
 /** px/s of slip that friction aims at; other than 0 during an impact only. */
 export const TANGENT_BIAS = 28
-/** Of the steps that left any contact deep in an overlap, how many in a row left this one so. */
+/** Steps in a row that left this contact in a deep overlap. One that left none so is not counted. */
 export const DEEP_STEPS = 29
 export const CONTACT = 30
 
