@@ -1599,8 +1599,8 @@ function chooseRegime({ bodies, contacts, regime }: Simulation): void {
     ? RESTING_TOLERANCE
     : Math.max(LEAST_TOLERANCE, Math.min(MOST_TOLERANCE, TOLERANCE * speed))
   regime.massRatio = lightest / heaviest
-  const unrelaxed = regime.resting || contacts.nearCount <= ITERATIONS || regime.massRatio > ITERATIONS
-  regime.relaxation = unrelaxed ? 1 : RELAXATION
+  const overRelaxed = !regime.resting && contacts.nearCount > ITERATIONS && regime.massRatio <= ITERATIONS
+  regime.relaxation = overRelaxed ? RELAXATION : 1
 }
 
 // solver/integrate: velocities and positions through a sub-step ─────────────────────────────────────────────
