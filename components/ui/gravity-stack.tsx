@@ -319,7 +319,7 @@ class Bodies {
   /** 1 if the body was lifted out of a wedge, or pushed up by one below it that was. */
   lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
-  undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
+  needsDrawing: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 once the body has wholly come into the stage: the ceiling is there for such bodies only. */
@@ -341,8 +341,8 @@ class Bodies {
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
   box: Float64Array = new Float64Array(FIRST_CHIP * 4)
-  /** 1 if the body's box was made anew. */
-  boxed: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 if the body has left its box, and has a new one. */
+  leftBox: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the box has to be checked: at the start of a step, and after a knock. */
   knocked: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Bodies by the left edge of their box. */
@@ -1075,7 +1075,7 @@ function normalImpulse({ data }: Contacts, c: number): number {
 }
 
 /** Adds the impulses of contact `c`, times `sign`, to the warm start of its bodies. */
-function warmStart({ bodies, contacts }: Simulation, c: number, sign: number): void {
+function addWarmStart({ bodies, contacts }: Simulation, c: number, sign: number): void {
   const { state, motion } = bodies
   const d = contacts.data
   const k = c * CONTACT
@@ -1168,7 +1168,7 @@ function updateContact(simulation: Simulation, c: number): void {
   const load = normalImpulse(contacts, c)
   if (a >= FIRST_CHIP && load === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
   const oldTorque = torqueOnB(contacts, c)
-  if (load > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
+  if (load > 0 || d[k + ARM_LAG] !== 0) addWarmStart(simulation, c, -1)
   d[k + ARM_LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
@@ -1228,7 +1228,7 @@ function updateContact(simulation: Simulation, c: number): void {
   if (load > 0) {
     // Over the sub-step the warm start acts with arms half way between the old ones and these.
     if (wall && same) d[k + ARM_LAG] = 0.5 * invInertiaB * (oldTorque - torqueOnB(contacts, c))
-    warmStart(simulation, c, 1)
+    addWarmStart(simulation, c, 1)
   }
 }
 
@@ -1340,7 +1340,7 @@ function closingDistance({ bodies, contacts }: Simulation, c: number, seconds: n
 
 /** Makes the box of body `i` anew around its way ahead if the body may leave it within the step. */
 function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
-  const { state, shape, box, boxed } = bodies
+  const { state, shape, box, leftBox } = bodies
   const s = i * STATE
   const k = i * 4
   // A chip that spins reaches further before the step is over.
@@ -1350,9 +1350,9 @@ function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
-    if (low < box[k + axis] || high > box[k + 2 + axis]) boxed[i] = 1
+    if (low < box[k + axis] || high > box[k + 2 + axis]) leftBox[i] = 1
   }
-  for (let axis = 0; boxed[i] > 0 && axis < 2; axis++) {
+  for (let axis = 0; leftBox[i] > 0 && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
@@ -1363,15 +1363,15 @@ function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, inside, knocked, leaving, order, orderCount, partner } = bodies
+  const { awake, awakeCount, box, leftBox, inside, knocked, leaving, order, orderCount, partner } = bodies
   const { head, next, pair } = contacts
   for (let n = 0; n < awakeCount; n++) if (knocked[awake[n]] > 0) updateBox(bodies, gravity, awake[n])
   knocked.fill(0)
-  if (!boxed.includes(1)) return false
+  if (!leftBox.includes(1)) return false
 
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
-    for (let edge = boxed[i] > 0 ? head[i] : -1; edge >= 0; ) {
+    for (let edge = leftBox[i] > 0 ? head[i] : -1; edge >= 0; ) {
       const after = next[edge]
       if (!overlap(box, i * 4, pair[edge ^ 1] * 4)) removeContact(contacts, edge >> 1)
       edge = after
@@ -1388,12 +1388,12 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
 
   partner.fill(0)
   let leavers = 0
-  for (let n = 0; n < orderCount; n++) if (boxed[order[n]] > 0) leaving[leavers++] = order[n]
+  for (let n = 0; n < orderCount; n++) if (leftBox[order[n]] > 0) leaving[leavers++] = order[n]
   let passed = 0
   for (let n = 0; n < orderCount; n++) {
     const i = order[n]
     // What is still in its box can have new partners only among what has left its own.
-    const leaves = boxed[i] > 0
+    const leaves = leftBox[i] > 0
     if (leaves) passed++
     const others = leaves ? order : leaving
     const count = leaves ? orderCount : leavers
@@ -1412,7 +1412,7 @@ function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
       if (partner[i + j - lister] !== lister) addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
-  boxed.fill(0)
+  leftBox.fill(0)
   return true
 }
 
@@ -1515,7 +1515,7 @@ function wake({ bodies, contacts }: Simulation, i: number): void {
 function wakeAlone(bodies: Bodies, i: number): void {
   bodies.asleep[i] = 0
   bodies.rest[i * 4 + 3] = 0
-  bodies.undrawn[i] = 1
+  bodies.needsDrawing[i] = 1
   bodies.motion[i * MOTION + STRUCK_AT] = 0
   bodies.awake[bodies.awakeCount++] = i
 }
@@ -1684,12 +1684,12 @@ function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }: Simul
 
 /**
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
- * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ * Returns whether all are in balance: none moves, nor gains speed by what warm start and gravity give.
  */
-function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
+function integratePositions({ bodies, gravity, h, pull }: Simulation): boolean {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
   const wrong = WRONG_WARM_START * Math.max(1, pull / GRAVITY)
-  let active = 0
+  let balanced = true
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
     const s = i * STATE
@@ -1709,10 +1709,10 @@ function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) balanced = false
     capSpeed(state, s, MAX_SPEED)
   }
-  return active
+  return balanced
 }
 
 // solver/contact-solver: impulses of contacts and friction ──────────────────────────────────────────────────
@@ -2428,7 +2428,7 @@ function prepareJoint(simulation: Simulation, joint: MouseJoint): void {
 }
 
 /** Adds the impulse of the last step to the warm start of the body. */
-function warmStartJoint({ state, motion }: Bodies, joint: MouseJoint): void {
+function addJointWarmStart({ state, motion }: Bodies, joint: MouseJoint): void {
   const s = joint.body * STATE
   const m = joint.body * MOTION
   motion[m + WARM_X] += state[s + INV_MASS] * joint.impulseX
@@ -2634,7 +2634,7 @@ function removeBody(simulation: Simulation, i: number): void {
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
   bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
-  bodies.alive[i] = bodies.undrawn[i] = 0
+  bodies.alive[i] = bodies.needsDrawing[i] = 0
   simulation.freeSlots.push(i)
 }
 
@@ -2673,7 +2673,7 @@ function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
  */
 function refreshBody(simulation: Simulation, i: number): void {
   const { bodies, contacts } = simulation
-  const { box, boxed, state } = bodies
+  const { box, leftBox, state } = bodies
   resetContacts(bodies, contacts, i)
   if (!isObstacleBody(bodies, i)) {
     updateEntry(simulation, i)
@@ -2682,7 +2682,7 @@ function refreshBody(simulation: Simulation, i: number): void {
   halfExtents(bodies, i, 0, 0)
   for (let side = 0; side < 4; side++)
     box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
-  boxed[i] = 1
+  leftBox[i] = 1
   for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
   simulation.revision++
   simulation.roomSteps = REST_TIME / STEP
@@ -2758,7 +2758,7 @@ function step(simulation: Simulation): void {
   updatePairs(simulation)
   gatherContacts(simulation)
   chooseRegime(simulation)
-  startWarm(simulation)
+  collectWarmStart(simulation)
   for (let n = 0; n < substeps; n++) {
     // A body struck in the last sub-step may have left its box, or be about to hit a sleeper.
     if (n > 0 && (updatePairs(simulation) || anyAsleep(simulation))) gatherContacts(simulation)
@@ -2780,7 +2780,7 @@ function substep(simulation: Simulation): boolean {
   integrateVelocities(simulation)
   const converged = solveContacts(simulation)
   work[SUBSTEPS_TAKEN]++
-  return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
+  return integratePositions(simulation) && (converged || regime.resting) && joints.length === 0
 }
 
 /** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
@@ -2812,7 +2812,7 @@ function rememberPoses({ bodies }: Simulation): void {
  * Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is
  * supported.
  */
-function startWarm(simulation: Simulation): void {
+function collectWarmStart(simulation: Simulation): void {
   const { bodies, contacts, joints } = simulation
   const { data: d, near, nearCount, pair, points } = contacts
   const { shape, supported } = bodies
@@ -2827,7 +2827,7 @@ function startWarm(simulation: Simulation): void {
     if (points[c] === 0) continue
     d[k + ARM_LAG] = 0
     if (normalImpulse(contacts, c) === 0) continue
-    warmStart(simulation, c, 1)
+    addWarmStart(simulation, c, 1)
     for (let side = 0; side < 2; side++) {
       const i = pair[2 * c + side]
       const s = i * SHAPE
@@ -2836,7 +2836,7 @@ function startWarm(simulation: Simulation): void {
       if (both || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
     }
   }
-  for (const joint of joints) warmStartJoint(bodies, joint)
+  for (const joint of joints) addJointWarmStart(bodies, joint)
 }
 
 // solver/grab: a chip in a hand ─────────────────────────────────────────────────────────────────────────────
@@ -3011,7 +3011,7 @@ function createWorld({ width, height }: { width: number; height: number }) {
      * Visits every awake body, and each once more after it fell asleep, with the pose to draw: px, px, rad.
      */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
-      const { state, before, undrawn } = bodies
+      const { state, before, needsDrawing } = bodies
       // Share of the step that is not simulated yet: what moves is drawn so much behind.
       const behind = 1 - scene.left / STEP
       const drawn = (i: number, axis: number) => {
@@ -3019,9 +3019,9 @@ function createWorld({ width, height }: { width: number; height: number }) {
         return now - behind * (now - before[i * 3 + axis])
       }
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
-        if (undrawn[i] === 0) continue
+        if (needsDrawing[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
-        undrawn[i] = asleep ? 0 : 1
+        needsDrawing[i] = asleep ? 0 : 1
         visit(i, drawn(i, X), drawn(i, Y), drawn(i, ANGLE), asleep)
       }
     },

@@ -10,7 +10,7 @@ import { type Bodies, CEILING, CORE, FIRST_CHIP, SHAPE, type Simulation, SPIN, S
 
 /** Makes the box of body `i` anew around its way ahead if the body may leave it within the step. */
 function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
-  const { state, shape, box, boxed } = bodies
+  const { state, shape, box, leftBox } = bodies
   const s = i * STATE
   const k = i * 4
   // A chip that spins reaches further before the step is over.
@@ -20,9 +20,9 @@ function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const low = state[s + axis] - extents[axis] + Math.min(go, go + fall, 0)
     const high = state[s + axis] + extents[axis] + Math.max(go, go + fall, 0)
-    if (low < box[k + axis] || high > box[k + 2 + axis]) boxed[i] = 1
+    if (low < box[k + axis] || high > box[k + 2 + axis]) leftBox[i] = 1
   }
-  for (let axis = 0; boxed[i] > 0 && axis < 2; axis++) {
+  for (let axis = 0; leftBox[i] > 0 && axis < 2; axis++) {
     const go = 2 * state[s + VX + axis] * STEP
     const fall = 0.5 * gravity[axis] * STEP * STEP
     const margin = AABB_MARGIN + extents[axis]
@@ -33,15 +33,15 @@ function updateBox(bodies: Bodies, gravity: Float64Array, i: number): void {
 
 /** Brings contacts up to date with the boxes of what is awake; returns whether any body had left its box. */
 export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean {
-  const { awake, awakeCount, box, boxed, inside, knocked, leaving, order, orderCount, partner } = bodies
+  const { awake, awakeCount, box, leftBox, inside, knocked, leaving, order, orderCount, partner } = bodies
   const { head, next, pair } = contacts
   for (let n = 0; n < awakeCount; n++) if (knocked[awake[n]] > 0) updateBox(bodies, gravity, awake[n])
   knocked.fill(0)
-  if (!boxed.includes(1)) return false
+  if (!leftBox.includes(1)) return false
 
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n]
-    for (let edge = boxed[i] > 0 ? head[i] : -1; edge >= 0; ) {
+    for (let edge = leftBox[i] > 0 ? head[i] : -1; edge >= 0; ) {
       const after = next[edge]
       if (!overlap(box, i * 4, pair[edge ^ 1] * 4)) removeContact(contacts, edge >> 1)
       edge = after
@@ -58,12 +58,12 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
 
   partner.fill(0)
   let leavers = 0
-  for (let n = 0; n < orderCount; n++) if (boxed[order[n]] > 0) leaving[leavers++] = order[n]
+  for (let n = 0; n < orderCount; n++) if (leftBox[order[n]] > 0) leaving[leavers++] = order[n]
   let passed = 0
   for (let n = 0; n < orderCount; n++) {
     const i = order[n]
     // What is still in its box can have new partners only among what has left its own.
-    const leaves = boxed[i] > 0
+    const leaves = leftBox[i] > 0
     if (leaves) passed++
     const others = leaves ? order : leaving
     const count = leaves ? orderCount : leavers
@@ -82,7 +82,7 @@ export function updatePairs({ bodies, contacts, gravity }: Simulation): boolean 
       if (partner[i + j - lister] !== lister) addContact(bodies, contacts, Math.min(i, j), Math.max(i, j))
     }
   }
-  boxed.fill(0)
+  leftBox.fill(0)
   return true
 }
 

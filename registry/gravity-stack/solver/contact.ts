@@ -134,7 +134,7 @@ export function normalImpulse({ data }: Contacts, c: number): number {
 }
 
 /** Adds the impulses of contact `c`, times `sign`, to the warm start of its bodies. */
-export function warmStart({ bodies, contacts }: Simulation, c: number, sign: number): void {
+export function addWarmStart({ bodies, contacts }: Simulation, c: number, sign: number): void {
   const { state, motion } = bodies
   const d = contacts.data
   const k = c * CONTACT
@@ -227,7 +227,7 @@ export function updateContact(simulation: Simulation, c: number): void {
   const load = normalImpulse(contacts, c)
   if (a >= FIRST_CHIP && load === 0 && grazes(bodies, a, b)) manifold[COUNT] = 0
   const oldTorque = torqueOnB(contacts, c)
-  if (load > 0 || d[k + ARM_LAG] !== 0) warmStart(simulation, c, -1)
+  if (load > 0 || d[k + ARM_LAG] !== 0) addWarmStart(simulation, c, -1)
   d[k + ARM_LAG] = 0
   const dx = state[b * STATE + X] - state[a * STATE + X]
   const dy = state[b * STATE + Y] - state[a * STATE + Y]
@@ -287,7 +287,7 @@ export function updateContact(simulation: Simulation, c: number): void {
   if (load > 0) {
     // Over the sub-step the warm start acts with arms half way between the old ones and these.
     if (wall && same) d[k + ARM_LAG] = 0.5 * invInertiaB * (oldTorque - torqueOnB(contacts, c))
-    warmStart(simulation, c, 1)
+    addWarmStart(simulation, c, 1)
   }
 }
 

@@ -125,12 +125,12 @@ export function integrateVelocities({ bodies, gravity, h, air, spinAir, regime }
 
 /**
  * Moves what is awake through the sub-step, and takes what the contact solver changed into the warm start.
- * Returns how many bodies are not in balance: they move, or gain speed by what warm start and gravity give.
+ * Returns whether all are in balance: none moves, nor gains speed by what warm start and gravity give.
  */
-export function integratePositions({ bodies, gravity, h, pull }: Simulation): number {
+export function integratePositions({ bodies, gravity, h, pull }: Simulation): boolean {
   const { state, motion, shape, awake, awakeCount, knocked } = bodies
   const wrong = WRONG_WARM_START * Math.max(1, pull / GRAVITY)
-  let active = 0
+  let balanced = true
   for (let n = 0; n < awakeCount; n++) {
     const i = awake[n] & INDEX
     const s = i * STATE
@@ -150,8 +150,8 @@ export function integratePositions({ bodies, gravity, h, pull }: Simulation): nu
     motion[m + WARM_SPIN] += dSpin
     const speed = Math.abs(state[s + VX]) + Math.abs(state[s + VY]) + extent * Math.abs(state[s + SPIN])
     const gain = Math.abs(motion[m + WARM_X] + gravity[X] * h) + Math.abs(motion[m + WARM_Y] + gravity[Y] * h)
-    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) active++
+    if (Math.max(speed - RESTING_SPEED, gain - 4 * RESTING_TOLERANCE) > 0) balanced = false
     capSpeed(state, s, MAX_SPEED)
   }
-  return active
+  return balanced
 }

@@ -110,7 +110,7 @@ export function prepareJoint(simulation: Simulation, joint: MouseJoint): void {
 }
 
 /** Adds the impulse of the last step to the warm start of the body. */
-export function warmStartJoint({ state, motion }: Bodies, joint: MouseJoint): void {
+export function addJointWarmStart({ state, motion }: Bodies, joint: MouseJoint): void {
   const s = joint.body * STATE
   const m = joint.body * MOTION
   motion[m + WARM_X] += state[s + INV_MASS] * joint.impulseX

@@ -37,7 +37,7 @@ export function removeBody(simulation: Simulation, i: number): void {
   while (contacts.head[i] >= 0) removeContact(contacts, contacts.head[i] >> 1)
   bodies.orderCount = without(bodies.order, i, bodies.orderCount)
   bodies.awakeCount = without(bodies.awake, i, bodies.awakeCount)
-  bodies.alive[i] = bodies.undrawn[i] = 0
+  bodies.alive[i] = bodies.needsDrawing[i] = 0
   simulation.freeSlots.push(i)
 }
 
@@ -76,7 +76,7 @@ function setMotion({ bodies }: Simulation, i: number, motion: Motion): void {
  */
 function refreshBody(simulation: Simulation, i: number): void {
   const { bodies, contacts } = simulation
-  const { box, boxed, state } = bodies
+  const { box, leftBox, state } = bodies
   resetContacts(bodies, contacts, i)
   if (!isObstacleBody(bodies, i)) {
     updateEntry(simulation, i)
@@ -85,7 +85,7 @@ function refreshBody(simulation: Simulation, i: number): void {
   halfExtents(bodies, i, 0, 0)
   for (let side = 0; side < 4; side++)
     box[i * 4 + side] = state[i * STATE + (side % 2)] + (side > 1 ? 1 : -1) * extents[side % 2]
-  boxed[i] = 1
+  leftBox[i] = 1
   for (let j = FIRST_CHIP; j < bodies.count; j++) if (overlap(box, i * 4, j * 4)) wake(simulation, j)
   simulation.revision++
   simulation.roomSteps = REST_TIME / STEP

@@ -104,7 +104,7 @@ export function wake({ bodies, contacts }: Simulation, i: number): void {
 export function wakeAlone(bodies: Bodies, i: number): void {
   bodies.asleep[i] = 0
   bodies.rest[i * 4 + 3] = 0
-  bodies.undrawn[i] = 1
+  bodies.needsDrawing[i] = 1
   bodies.motion[i * MOTION + STRUCK_AT] = 0
   bodies.awake[bodies.awakeCount++] = i
 }

@@ -99,7 +99,7 @@ export class Bodies {
   /** 1 if the body was lifted out of a wedge, or pushed up by one below it that was. */
   lifted: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 while the body is awake, and until it is drawn once after it fell asleep. */
-  undrawn: Uint8Array = new Uint8Array(FIRST_CHIP)
+  needsDrawing: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the body has a better support, as its step begins, than one point that it is balanced on. */
   supported: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 once the body has wholly come into the stage: the ceiling is there for such bodies only. */
@@ -121,8 +121,8 @@ export class Bodies {
   groupRest: Float64Array = new Float64Array(FIRST_CHIP)
   /** Left, top, right, bottom of each body's enlarged box, px. */
   box: Float64Array = new Float64Array(FIRST_CHIP * 4)
-  /** 1 if the body's box was made anew. */
-  boxed: Uint8Array = new Uint8Array(FIRST_CHIP)
+  /** 1 if the body has left its box, and has a new one. */
+  leftBox: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** 1 if the box has to be checked: at the start of a step, and after a knock. */
   knocked: Uint8Array = new Uint8Array(FIRST_CHIP)
   /** Bodies by the left edge of their box. */

@@ -1,10 +1,10 @@
 import { updatePairs } from './broad-phase'
 import { BALANCED_HEIGHT, ITERATIONS, SPECULATIVE_DISTANCE, UNEVEN_VISITS } from './constants'
-import { normalImpulse, warmStart } from './contact'
+import { addWarmStart, normalImpulse } from './contact'
 import { iterate } from './contact-solver'
 import { integratePositions, integrateVelocities, trackTravel } from './integrate'
 import { makeRoom } from './make-room'
-import { prepareJoint, solveJoint, warmStartJoint } from './mouse-joint'
+import { addJointWarmStart, prepareJoint, solveJoint } from './mouse-joint'
 import { correctOverlaps, keepInside } from './position-correction'
 import { prepareContacts, updateContacts } from './prepare'
 import { chooseRegime } from './regime'
@@ -41,7 +41,7 @@ export function step(simulation: Simulation): void {
   updatePairs(simulation)
   gatherContacts(simulation)
   chooseRegime(simulation)
-  startWarm(simulation)
+  collectWarmStart(simulation)
   for (let n = 0; n < substeps; n++) {
     // A body struck in the last sub-step may have left its box, or be about to hit a sleeper.
     if (n > 0 && (updatePairs(simulation) || anyAsleep(simulation))) gatherContacts(simulation)
@@ -63,7 +63,7 @@ function substep(simulation: Simulation): boolean {
   integrateVelocities(simulation)
   const converged = solveContacts(simulation)
   work[SUBSTEPS_TAKEN]++
-  return integratePositions(simulation) === 0 && (converged || regime.resting) && joints.length === 0
+  return integratePositions(simulation) && (converged || regime.resting) && joints.length === 0
 }
 
 /** Iterates until no contact changes a velocity, or as often as it may; returns whether it converged. */
@@ -95,7 +95,7 @@ function rememberPoses({ bodies }: Simulation): void {
  * Sums up the impulses of the last step by body, as what each may expect in a sub-step, and notes how it is
  * supported.
  */
-function startWarm(simulation: Simulation): void {
+function collectWarmStart(simulation: Simulation): void {
   const { bodies, contacts, joints } = simulation
   const { data: d, near, nearCount, pair, points } = contacts
   const { shape, supported } = bodies
@@ -110,7 +110,7 @@ function startWarm(simulation: Simulation): void {
     if (points[c] === 0) continue
     d[k + ARM_LAG] = 0
     if (normalImpulse(contacts, c) === 0) continue
-    warmStart(simulation, c, 1)
+    addWarmStart(simulation, c, 1)
     for (let side = 0; side < 2; side++) {
       const i = pair[2 * c + side]
       const s = i * SHAPE
@@ -119,5 +119,5 @@ function startWarm(simulation: Simulation): void {
       if (both || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
     }
   }
-  for (const joint of joints) warmStartJoint(bodies, joint)
+  for (const joint of joints) addJointWarmStart(bodies, joint)
 }

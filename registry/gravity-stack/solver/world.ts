@@ -133,7 +133,7 @@ export function createWorld({ width, height }: { width: number; height: number }
      * Visits every awake body, and each once more after it fell asleep, with the pose to draw: px, px, rad.
      */
     eachMoved(visit: (id: number, x: number, y: number, angle: number, asleep: boolean) => void): void {
-      const { state, before, undrawn } = bodies
+      const { state, before, needsDrawing } = bodies
       // Share of the step that is not simulated yet: what moves is drawn so much behind.
       const behind = 1 - scene.left / STEP
       const drawn = (i: number, axis: number) => {
@@ -141,9 +141,9 @@ export function createWorld({ width, height }: { width: number; height: number }
         return now - behind * (now - before[i * 3 + axis])
       }
       for (let i = FIRST_CHIP; i < bodies.count; i++) {
-        if (undrawn[i] === 0) continue
+        if (needsDrawing[i] === 0) continue
         const asleep = bodies.asleep[i] > 0
-        undrawn[i] = asleep ? 0 : 1
+        needsDrawing[i] = asleep ? 0 : 1
         visit(i, drawn(i, X), drawn(i, Y), drawn(i, ANGLE), asleep)
       }
     },
