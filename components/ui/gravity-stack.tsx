@@ -108,7 +108,8 @@ const ROLLING_SHARE = 0.2
 const ROCKING_SHARE = 0.02
 /**
  * Share of `CORE`. A body whose centre is higher over its one point than its radius and this share is
- * balanced on it, and rolling resistance would freeze it there (D-024).
+ * balanced on it, and rolling resistance would freeze it there. One with a core smaller than the rest of this
+ * share of its radius is nearly round, and never balanced (D-024).
  */
 const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
@@ -1446,7 +1447,7 @@ function joinGroups({ parent, groupRest }: Bodies, a: number, b: number): void {
  */
 function updateSleep(simulation: Simulation): void {
   const { bodies, contacts, pull } = simulation
-  const { state, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
+  const { state, motion, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -1464,7 +1465,9 @@ function updateSleep(simulation: Simulation): void {
     rest[r + 3] = moves ? 0 : rest[r + 3] + (STEP * (1 + supported[i])) / 2
     parent[i] = i
     // A body that no contact pushes counts as at rest only where there is no gravity.
-    groupRest[i] = pull === 0 ? rest[r + 3] : -1
+    const m = i * MOTION
+    const pushed = Math.abs(motion[m + WARM_X]) + Math.abs(motion[m + WARM_Y]) > 0
+    groupRest[i] = pushed || pull === 0 ? rest[r + 3] : -1
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
@@ -1472,8 +1475,6 @@ function updateSleep(simulation: Simulation): void {
     if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
-    if (groupRest[a] < 0) groupRest[a] = rest[a * 4 + 3]
-    if (groupRest[b] < 0) groupRest[b] = rest[b * 4 + 3]
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the
@@ -2832,8 +2833,10 @@ function collectWarmStart(simulation: Simulation): void {
       const i = pair[2 * c + side]
       const s = i * SHAPE
       const high = shape[s + RADIUS] + BALANCED_HEIGHT * shape[s + CORE] + SPECULATIVE_DISTANCE
+      // A body that is nearly round has no end to stand on.
+      const round = shape[s + CORE] < (1 - BALANCED_HEIGHT) * shape[s + RADIUS]
       const both = d[k + NORMAL_IMPULSE] * d[k + SECOND + NORMAL_IMPULSE] > 0
-      if (both || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
+      if (both || round || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
     }
   }
   for (const joint of joints) addJointWarmStart(bodies, joint)

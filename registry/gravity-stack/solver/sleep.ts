@@ -26,6 +26,8 @@ import {
   STATE,
   STRUCK_AT,
   VX,
+  WARM_X,
+  WARM_Y,
   X,
 } from './state'
 
@@ -35,7 +37,7 @@ import {
  */
 export function updateSleep(simulation: Simulation): void {
   const { bodies, contacts, pull } = simulation
-  const { state, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
+  const { state, motion, shape, awake, asleep, parent, groupRest, rest, supported } = bodies
   const count = bodies.awakeCount
   for (let n = 0; n < count; n++) {
     const i = awake[n]
@@ -53,7 +55,9 @@ export function updateSleep(simulation: Simulation): void {
     rest[r + 3] = moves ? 0 : rest[r + 3] + (STEP * (1 + supported[i])) / 2
     parent[i] = i
     // A body that no contact pushes counts as at rest only where there is no gravity.
-    groupRest[i] = pull === 0 ? rest[r + 3] : -1
+    const m = i * MOTION
+    const pushed = Math.abs(motion[m + WARM_X]) + Math.abs(motion[m + WARM_Y]) > 0
+    groupRest[i] = pushed || pull === 0 ? rest[r + 3] : -1
   }
   for (let n = 0; n < contacts.nearCount; n++) {
     const c = contacts.near[n]
@@ -61,8 +65,6 @@ export function updateSleep(simulation: Simulation): void {
     if (normalImpulse(contacts, c) === 0 && gapOf(simulation, c) > DEEP_OVERLAP) continue
     const a = contacts.pair[2 * c]
     const b = contacts.pair[2 * c + 1]
-    if (groupRest[a] < 0) groupRest[a] = rest[a * 4 + 3]
-    if (groupRest[b] < 0) groupRest[b] = rest[b * 4 + 3]
     if (!isStatic(bodies, a)) joinGroups(bodies, a, b)
   }
   // The manifolds of a group that is to sleep may lag, so they are measured once more. An overlap keeps the

@@ -115,8 +115,10 @@ function collectWarmStart(simulation: Simulation): void {
       const i = pair[2 * c + side]
       const s = i * SHAPE
       const high = shape[s + RADIUS] + BALANCED_HEIGHT * shape[s + CORE] + SPECULATIVE_DISTANCE
+      // A body that is nearly round has no end to stand on.
+      const round = shape[s + CORE] < (1 - BALANCED_HEIGHT) * shape[s + RADIUS]
       const both = d[k + NORMAL_IMPULSE] * d[k + SECOND + NORMAL_IMPULSE] > 0
-      if (both || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
+      if (both || round || Math.abs(d[k + ARM_TA + side]) <= high) supported[i] = 1
     }
   }
   for (const joint of joints) addJointWarmStart(bodies, joint)
