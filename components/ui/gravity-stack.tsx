@@ -108,8 +108,8 @@ const ROLLING_SHARE = 0.2
 const ROCKING_SHARE = 0.02
 /**
  * Share of `CORE`. A body whose centre is higher over its one point than its radius and this share is
- * balanced on it, and rolling resistance would freeze it there. One with a core smaller than the rest of this
- * share of its radius is nearly round, and never balanced (D-024).
+ * balanced on it, and rolling resistance would freeze it there. A body whose core is smaller than one minus
+ * this share of its radius is nearly round, and never balanced (D-024).
  */
 const BALANCED_HEIGHT = 0.75
 /** Most iterations over one impact. Friction and restitution of one contact agree within about twenty. */
