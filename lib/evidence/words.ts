@@ -34,7 +34,7 @@ export function exception({ scene, measure, cost, error, beaten }: Verdict) {
 
 /** A row of the claim, in a sentence. */
 export const rowTitle = ({ scene, measure }: Verdict) =>
-  `${scene.measures[measure].name} of ${scene.title.split(',')[0]}`
+  `${scene.measures[measure].name} in “${scene.title.split(',')[0]}”`
 
 export const floorTitle = ({ scene, measure, floor }: Verdict) => {
   const { unit } = scene.measures[measure]
